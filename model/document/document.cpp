@@ -83,15 +83,6 @@ bool entriesDiffer(const FractalFile& a, const FractalFile& b, EntryId except) {
                        });
 }
 
-// The cage to keep; none where the cage is stored, or takes long to be found.
-LastingCage lastingCage(const Fractal& fractal) {
-    const auto* flat = plane(fractal);
-    const auto* solid = space(fractal);
-    if (flat && !flat->cage) return LastingCage(effectiveCage(fractal));
-    const bool isQuick = solid && solid->system.maps.size() <= manyMapsInSpace;
-    return isQuick && !solid->cage ? LastingCage(*spaceCage(fractal)) : LastingCage();
-}
-
 // The fractal as an entry of the file: its cage is chosen anew.
 std::shared_ptr<const Fractal> settled(const std::shared_ptr<const Fractal>& fractal) {
     if (!fractal->lasting) return fractal;

@@ -2840,10 +2840,6 @@
         <translation>Abwandlungen dieses Fraktals züchten oder es mit einem anderen kreuzen</translation>
     </message>
     <message>
-        <source>Fractint collections (*.ifs *.par);;Flames (*.flame *.flam3);;Tables of numbers (*.csv *.tsv *.txt);;Pictures with an embedded fractal (*.png *.svg);;Lessons (*.lesson);;All files (*)</source>
-        <translation>Fractint-Sammlungen (*.ifs *.par);;Flames (*.flame *.flam3);;Zahlentabellen (*.csv *.tsv *.txt);;Bilder, die ihr Fraktal enthalten (*.png *.svg);;Lektionen (*.lesson);;Alle Dateien (*)</translation>
-    </message>
-    <message>
         <source>The Chaos Game</source>
         <translation>Das Chaosspiel</translation>
     </message>
@@ -3493,6 +3489,26 @@
     <message>
         <source>Copy lines for a notebook that make the fractal with the Python package “barycage”</source>
         <translation>Zeilen für ein Notebook kopieren, die das Fraktal mit dem Python-Paket „barycage“ erzeugen</translation>
+    </message>
+    <message>
+        <source>Files with fractals (*.ifs *.par *.lesson *.flame *.flam3 *.csv *.tsv *.txt *.png *.svg);;Fractint collections (*.ifs *.par);;Flames (*.flame *.flam3);;Tables of numbers (*.csv *.tsv *.txt);;Pictures with an embedded fractal (*.png *.svg);;Lessons (*.lesson);;All files (*)</source>
+        <translation>Dateien mit Fraktalen (*.ifs *.par *.lesson *.flame *.flam3 *.csv *.tsv *.txt *.png *.svg);;Fractint-Sammlungen (*.ifs *.par);;Flames (*.flame *.flam3);;Zahlentabellen (*.csv *.tsv *.txt);;Bilder, die ihr Fraktal enthalten (*.png *.svg);;Lektionen (*.lesson);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>The lesson is not saved yet: choose Save Lesson.</source>
+        <translation>Die Lektion ist noch nicht gespeichert: Wählen Sie „Lektion speichern“.</translation>
+    </message>
+    <message>
+        <source>laser plotter cutter engrave dxf outline millimetres millimeters</source>
+        <translation>Laser Laserschnitt Plotter Schneideplotter gravieren schneiden Umriss Kontur Millimeter</translation>
+    </message>
+    <message>
+        <source>Copy saved</source>
+        <translation>Kopie gespeichert</translation>
+    </message>
+    <message>
+        <source>%1 was saved for other programs.</source>
+        <translation>%1 wurde für andere Programme gespeichert.</translation>
     </message>
 </context>
 <context>
@@ -5658,10 +5674,10 @@
         <translation>Exporte sind nicht fertig</translation>
     </message>
     <message numerus="yes">
-        <source>They will continue the next time you start Barycage. Close it now?</source>
+        <source>Barycage closes when they are finished. Closed now, it continues with them at its next start.</source>
         <translation>
-            <numerusform>Er läuft weiter, wenn Sie Barycage das nächste Mal starten. Jetzt schließen?</numerusform>
-            <numerusform>Sie laufen weiter, wenn Sie Barycage das nächste Mal starten. Jetzt schließen?</numerusform>
+            <numerusform>Barycage schließt sich, wenn er fertig ist. Schließen Sie es jetzt, läuft er beim nächsten Start weiter.</numerusform>
+            <numerusform>Barycage schließt sich, wenn sie fertig sind. Schließen Sie es jetzt, laufen sie beim nächsten Start weiter.</numerusform>
         </translation>
     </message>
     <message>
@@ -6481,8 +6497,8 @@
         <translation>der WebP-Kodierer hat nicht genug Speicher.</translation>
     </message>
     <message>
-        <source>An exact picture of this system would take too long. Draw it with samples.</source>
-        <translation>Ein exaktes Bild dieses Systems würde zu lange dauern. Zeichnen Sie es mit Stichproben.</translation>
+        <source>An exact picture of this system would take too long. Draw it with points.</source>
+        <translation>Ein exaktes Bild dieses Systems würde zu lange dauern. Zeichnen Sie es mit Punkten.</translation>
     </message>
     <message>
         <source>The folder for temporary files does not have enough space for the frames: %1.</source>
@@ -6693,56 +6709,28 @@
         <translation>PNG: Pixel</translation>
     </message>
     <message>
-        <source>Picture (.png)</source>
-        <translation>Bild (.png)</translation>
-    </message>
-    <message>
         <source>JPEG: pixels, a small file</source>
         <translation>JPEG: Pixel, eine kleine Datei</translation>
-    </message>
-    <message>
-        <source>Picture (.jpg)</source>
-        <translation>Bild (.jpg)</translation>
     </message>
     <message>
         <source>WebP: pixels, for web pages</source>
         <translation>WebP: Pixel, für Webseiten</translation>
     </message>
     <message>
-        <source>Picture (.webp)</source>
-        <translation>Bild (.webp)</translation>
-    </message>
-    <message>
         <source>TIFF: pixels, for print</source>
         <translation>TIFF: Pixel, für den Druck</translation>
-    </message>
-    <message>
-        <source>Picture (.tiff)</source>
-        <translation>Bild (.tiff)</translation>
     </message>
     <message>
         <source>OpenEXR: linear light, for compositing</source>
         <translation>OpenEXR: lineares Licht, fürs Compositing</translation>
     </message>
     <message>
-        <source>Picture in linear light (.exr)</source>
-        <translation>Bild in linearem Licht (.exr)</translation>
-    </message>
-    <message>
         <source>PDF: shapes for print</source>
         <translation>PDF: Formen für den Druck</translation>
     </message>
     <message>
-        <source>Picture in PDF (.pdf)</source>
-        <translation>Bild in PDF (.pdf)</translation>
-    </message>
-    <message>
         <source>SVG: shapes for drawing programs</source>
         <translation>SVG: Formen für Zeichenprogramme</translation>
-    </message>
-    <message>
-        <source>Picture in SVG (.svg)</source>
-        <translation>Bild in SVG (.svg)</translation>
     </message>
     <message>
         <source>Mesh for 3D printing (.stl)</source>
@@ -6807,6 +6795,14 @@
     <message>
         <source>Lesson</source>
         <translation>Lektion</translation>
+    </message>
+    <message>
+        <source>PDF: a page with the picture</source>
+        <translation>PDF: eine Seite mit dem Bild</translation>
+    </message>
+    <message>
+        <source>SVG: a page with the picture</source>
+        <translation>SVG: eine Seite mit dem Bild</translation>
     </message>
 </context>
 <context>
@@ -6922,6 +6918,22 @@
     <message>
         <source>&amp;Go On</source>
         <translation>&amp;Weiter</translation>
+    </message>
+    <message>
+        <source>Open the panel %1 again: it is under View › Panels.</source>
+        <translation>Öffnen Sie das Feld %1 wieder: Es steht unter Ansicht › Felder.</translation>
+    </message>
+    <message>
+        <source>That Is All</source>
+        <translation>Das war alles</translation>
+    </message>
+    <message>
+        <source>Now take whatever you like by its corners.</source>
+        <translation>Jetzt können Sie alles, was Ihnen gefällt, an den Ecken packen.</translation>
+    </message>
+    <message>
+        <source>Press Ctrl+Z once more: the picture is still flat.</source>
+        <translation>Drücken Sie noch einmal Strg+Z: Das Bild ist noch flach.</translation>
     </message>
 </context>
 <context>
@@ -7042,6 +7054,14 @@
     <message>
         <source>Close</source>
         <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Printed to a file</source>
+        <translation>In eine Datei gedruckt</translation>
+    </message>
+    <message>
+        <source>%1 was written.</source>
+        <translation>%1 wurde geschrieben.</translation>
     </message>
 </context>
 <context>
@@ -9053,10 +9073,6 @@
         <translation>Es wurde nichts gefunden, das besser übereinstimmt.</translation>
     </message>
     <message>
-        <source>The target has changed, so the fit was cancelled.</source>
-        <translation>Das Ziel hat sich geändert, deshalb wurde die Anpassung abgebrochen.</translation>
-    </message>
-    <message>
         <source>Guarantee for the shades</source>
         <translation>Garantie für die Helligkeiten</translation>
     </message>
@@ -9112,6 +9128,10 @@
         <source>Show how the picture is read, the agreement, and what refines a suggestion</source>
         <translation>Zeigt, wie das Bild gelesen wird, die Übereinstimmung und was einen Vorschlag verfeinert</translation>
     </message>
+    <message>
+        <source>Another picture is shown, so the search for the last one was cancelled.</source>
+        <translation>Ein anderes Bild ist zu sehen, darum wurde die Suche für das vorige abgebrochen.</translation>
+    </message>
 </context>
 <context>
     <name>view::CollectionGrid</name>
@@ -9145,6 +9165,16 @@
     <message>
         <source>%1, from %2</source>
         <translation>%1, aus %2</translation>
+    </message>
+    <message>
+        <source>solid 3D space</source>
+        <comment>words of a search</comment>
+        <translation>Körper 3D Raum räumlich</translation>
+    </message>
+    <message>
+        <source>moving animation motion</source>
+        <comment>words of a search</comment>
+        <translation>bewegt Bewegung Animation</translation>
     </message>
 </context>
 <context>
@@ -9449,10 +9479,6 @@
         <translation>Papier Drucker pdf Seite ausdrucken</translation>
     </message>
     <message>
-        <source>worksheet class students exercise paper</source>
-        <translation>Arbeitsblatt Klasse Schüler Übung Papier</translation>
-    </message>
-    <message>
         <source>surprise chance lucky generate dice new</source>
         <translation>Überraschung Zufall erzeugen Würfel neu</translation>
     </message>
@@ -9463,14 +9489,6 @@
     <message>
         <source>mirror reflect upside down</source>
         <translation>spiegeln umdrehen auf den Kopf kippen</translation>
-    </message>
-    <message>
-        <source>flip mirror reflect | rotate scale shear move shift turn size</source>
-        <translation>spiegeln Spiegelung umklappen | drehen skalieren scheren verschieben Größe</translation>
-    </message>
-    <message>
-        <source>undo original restore straighten</source>
-        <translation>ursprünglich wiederherstellen zurück</translation>
     </message>
     <message>
         <source>hull triangle tight smallest</source>
@@ -9513,10 +9531,6 @@
         <translation>Einführung Anfänger lernen Tutorial</translation>
     </message>
     <message>
-        <source>timeline motion movie keyframes</source>
-        <translation>Zeitleiste Bewegung Film Schlüsselbilder</translation>
-    </message>
-    <message>
         <source>sway wind storm blow</source>
         <translation>wiegen Brise Sturm wehen schwingen</translation>
     </message>
@@ -9546,11 +9560,7 @@
     </message>
     <message>
         <source>shade silhouette drop cast ground light sun</source>
-        <translation>Schattenwurf Silhouette Boden Licht Sonne dunkel</translation>
-    </message>
-    <message>
-        <source>share send browser html embed publish interactive</source>
-        <translation>teilen senden Browser html einbetten veröffentlichen interaktiv</translation>
+        <translation>Schattenwurf Silhouette Boden Licht Sonne</translation>
     </message>
     <message>
         <source>share send email mail post message url</source>
@@ -9561,12 +9571,40 @@
         <translation>Dimension Beweis Zertifikat | beweisen bewiesen Hausdorff Fläche Maß Überlappung zusammenhängend</translation>
     </message>
     <message>
-        <source>colours palette gradient hue background transparent brightness</source>
-        <translation>Farben Palette Verlauf Farbton Hintergrund durchsichtig Helligkeit</translation>
-    </message>
-    <message>
         <source>reorder rearrange order sort</source>
         <translation>umordnen anordnen Reihenfolge sortieren</translation>
+    </message>
+    <message>
+        <source>gallery examples library favourites leaf tree fern snowflake dragon sponge</source>
+        <translation>Galerie Beispiele Bibliothek Favoriten Blatt Baum Farn Schneeflocke Drache Schwamm</translation>
+    </message>
+    <message>
+        <source>linked maps graph-directed which follows which forbidden</source>
+        <translation>verknüpft verbundene Abbildungen Graph verboten</translation>
+    </message>
+    <message>
+        <source>colours palette gradient hue background transparent brightness contrast black white grey</source>
+        <translation>Farben Palette Verlauf Farbton Hintergrund durchsichtig Helligkeit Kontrast schwarz weiß grau</translation>
+    </message>
+    <message>
+        <source>flip mirror reflect | rotate scale shear move shift turn size resize bigger larger smaller</source>
+        <translation>spiegeln Spiegelung umklappen | drehen skalieren scheren verschieben Größe größer kleiner</translation>
+    </message>
+    <message>
+        <source>timeline motion movie keyframes speed faster slower morph</source>
+        <translation>Zeitleiste Bewegung Film Schlüsselbilder Tempo schneller langsamer Morphen verwandeln</translation>
+    </message>
+    <message>
+        <source>share send browser html embed publish interactive mail email</source>
+        <translation>teilen senden Browser html einbetten veröffentlichen interaktiv mailen E-Mail</translation>
+    </message>
+    <message>
+        <source>worksheet class students exercise paper teacher</source>
+        <translation>Arbeitsblatt Klasse Schüler Übung Papier Lehrer Lehrerin</translation>
+    </message>
+    <message>
+        <source>undo original restore straighten start over again</source>
+        <translation>ursprünglich wiederherstellen zurück von vorn neu anfangen</translation>
     </message>
 </context>
 <context>
@@ -10376,16 +10414,16 @@
         <translation>Garantierte Genauigkeit: %1.</translation>
     </message>
     <message>
-        <source> The shape itself measures %1 × %2.</source>
-        <translation> Die Form selbst misst %1 × %2.</translation>
+        <source>The shape itself measures %1 × %2.</source>
+        <translation>Die Form selbst misst %1 × %2.</translation>
     </message>
     <message>
-        <source> Shades of density need pixels: the shapes have one colour.</source>
-        <translation> Abstufungen der Dichte brauchen Pixel: Die Formen haben eine einzige Farbe.</translation>
+        <source>Shades of density need pixels: the shapes have one colour.</source>
+        <translation>Abstufungen der Dichte brauchen Pixel: Die Formen haben eine einzige Farbe.</translation>
     </message>
     <message>
-        <source> The cage bends the picture, which copies cannot reproduce: the affine fit of the cage is written instead. A PNG shows the bend.</source>
-        <translation> Der Käfig biegt das Bild, was Kopien nicht können: Geschrieben wird die affine Anpassung des Käfigs. Ein PNG zeigt die Biegung.</translation>
+        <source>The cage bends the picture, which copies cannot reproduce: the affine fit of the cage is written instead. A PNG shows the bend.</source>
+        <translation>Der Käfig biegt das Bild, was Kopien nicht können: Geschrieben wird die affine Anpassung des Käfigs. Ein PNG zeigt die Biegung.</translation>
     </message>
     <message>
         <source>Export Picture</source>
@@ -10436,8 +10474,8 @@
         <translation>Kopien werden so klein gemacht, bis kein Pixel dieser Größe den Unterschied zeigen könnte oder Programme lange an ihnen zeichnen würden.</translation>
     </message>
     <message>
-        <source> More levels would be more accurate, but programs would take long to draw them.</source>
-        <translation> Mehr Stufen wären genauer, aber Programme würden lange daran zeichnen.</translation>
+        <source>More levels would be more accurate, but programs would take long to draw them.</source>
+        <translation>Mehr Stufen wären genauer, aber Programme würden lange daran zeichnen.</translation>
     </message>
     <message>
         <source>Computing the shapes…</source>
@@ -11634,6 +11672,10 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>Move step</source>
         <translation>Schritt verschieben</translation>
+    </message>
+    <message>
+        <source>Rename entry</source>
+        <translation>Eintrag umbenennen</translation>
     </message>
 </context>
 <context>
@@ -13089,6 +13131,10 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <source>An angle in degrees, with or without °, or an expression such as 360/7. An expression with pi, or with asin, acos, atan or atan2, is in radians and becomes degrees: pi/2 is 90. The arrow keys and the wheel change it: ten times as fast with Shift, a tenth as fast with Alt. Esc restores the previous number.</source>
         <translation>Ein Winkel in Grad, mit oder ohne °, oder ein Ausdruck wie 360/7. Ein Ausdruck mit pi oder mit asin, acos, atan oder atan2 steht im Bogenmaß und wird in Grad umgerechnet: pi/2 ist 90. Die Pfeiltasten und das Mausrad ändern ihn: mit Umschalt zehnmal so schnell, mit Alt ein Zehntel so schnell. Esc stellt die vorherige Zahl wieder her.</translation>
     </message>
+    <message>
+        <source>%1: the number stays as it was. %2</source>
+        <translation>%1: Die Zahl bleibt, wie sie war. %2</translation>
+    </message>
 </context>
 <context>
     <name>view::OrbitRows</name>
@@ -13281,6 +13327,10 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>&amp;Use This Order</source>
         <translation>Diese &amp;Reihenfolge</translation>
+    </message>
+    <message>
+        <source>&amp;Keep as It Is</source>
+        <translation>&amp;So lassen</translation>
     </message>
 </context>
 <context>
@@ -14537,14 +14587,6 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Ü&amp;berabtastung:</translation>
     </message>
     <message>
-        <source>8 bits</source>
-        <translation>8 Bit</translation>
-    </message>
-    <message>
-        <source>16 bits</source>
-        <translation>16 Bit</translation>
-    </message>
-    <message>
         <source>Bits per channel. Depths always have 16.</source>
         <translation>Bit für jeden Kanal. Tiefen haben immer 16.</translation>
     </message>
@@ -14621,10 +14663,6 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Ausschnitt</translation>
     </message>
     <message>
-        <source>What the picture shows: the view on the canvas, or a saved view.</source>
-        <translation>Was das Bild zeigt: was die Zeichenfläche zeigt, oder eine gespeicherte Ansicht.</translation>
-    </message>
-    <message>
         <source>Sect&amp;ion:</source>
         <translation>Ausschn&amp;itt:</translation>
     </message>
@@ -14645,16 +14683,40 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Ein Körper hat keine Formen: Die Datei enthält sein Bild in Pixeln.</translation>
     </message>
     <message>
-        <source>Co&amp;lours:</source>
-        <translation>Fa&amp;rben:</translation>
-    </message>
-    <message>
         <source>Stere&amp;o:</source>
         <translation>Stere&amp;o:</translation>
     </message>
     <message>
         <source>The name “%1” does not determine the format. It must end with one of these: %2.</source>
         <translation>Der Name „%1“ nennt kein Format. Er muss auf eine dieser Endungen enden: %2.</translation>
+    </message>
+    <message>
+        <source>Include the ca&amp;ge</source>
+        <translation>Mit &amp;Käfig</translation>
+    </message>
+    <message>
+        <source>Draws the cage over the picture.</source>
+        <translation>Zeichnet den Käfig über das Bild.</translation>
+    </message>
+    <message>
+        <source>The whole attractor</source>
+        <translation>Der ganze Attraktor</translation>
+    </message>
+    <message>
+        <source>What the picture shows: the view on the canvas, or the whole attractor with a small margin. Saved views are listed, too.</source>
+        <translation>Was das Bild zeigt: was die Zeichenfläche zeigt, oder den Attraktor mit schmalem Rand, wohin die Zeichenfläche auch blickt. Gespeicherte Ansichten stehen ebenfalls in der Liste.</translation>
+    </message>
+    <message>
+        <source>8 bits per channel</source>
+        <translation>8 Bit je Kanal</translation>
+    </message>
+    <message>
+        <source>16 bits per channel, for further editing</source>
+        <translation>16 Bit je Kanal, zur weiteren Arbeit am Bild</translation>
+    </message>
+    <message>
+        <source>C&amp;olour depth:</source>
+        <translation>F&amp;arbtiefe:</translation>
     </message>
 </context>
 <context>
@@ -15273,10 +15335,6 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Wieder das ganze Bild verwenden</translation>
     </message>
     <message>
-        <source>Choose a Target</source>
-        <translation>Ziel wählen</translation>
-    </message>
-    <message>
         <source>There is no picture on the clipboard.</source>
         <translation>In der Zwischenablage ist kein Bild.</translation>
     </message>
@@ -15331,6 +15389,10 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>The target is not saved with the file. It is kept while the file is open.</source>
         <translation>Das Ziel wird nicht mit der Datei gespeichert. Es bleibt, solange die Datei geöffnet ist.</translation>
+    </message>
+    <message>
+        <source>Choose a Picture</source>
+        <translation>Bild wählen</translation>
     </message>
 </context>
 <context>

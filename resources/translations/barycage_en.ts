@@ -89,10 +89,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>They will continue the next time you start Barycage. Close it now?</source>
+        <source>Barycage closes when they are finished. Closed now, it continues with them at its next start.</source>
         <translation>
-            <numerusform>It goes on when you start Barycage the next time. Close it now?</numerusform>
-            <numerusform>They will continue the next time you start Barycage. Close it now?</numerusform>
+            <numerusform>Barycage closes when it is finished. Closed now, it continues with it at its next start.</numerusform>
+            <numerusform>Barycage closes when they are finished. Closed now, it continues with them at its next start.</numerusform>
         </translation>
     </message>
     <message numerus="yes">

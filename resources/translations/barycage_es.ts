@@ -2840,10 +2840,6 @@
         <translation>Criar variaciones de este fractal o cruzarlo con otro</translation>
     </message>
     <message>
-        <source>Fractint collections (*.ifs *.par);;Flames (*.flame *.flam3);;Tables of numbers (*.csv *.tsv *.txt);;Pictures with an embedded fractal (*.png *.svg);;Lessons (*.lesson);;All files (*)</source>
-        <translation>Colecciones de Fractint (*.ifs *.par);;Flames (*.flame *.flam3);;Tablas de números (*.csv *.tsv *.txt);;Imágenes que llevan su fractal (*.png *.svg);;Lecciones (*.lesson);;Todos los archivos (*)</translation>
-    </message>
-    <message>
         <source>The Chaos Game</source>
         <translation>El juego del caos</translation>
     </message>
@@ -3493,6 +3489,26 @@
     <message>
         <source>Copy lines for a notebook that make the fractal with the Python package “barycage”</source>
         <translation>Copiar líneas para un cuaderno que crean el fractal con el paquete de Python «barycage»</translation>
+    </message>
+    <message>
+        <source>Files with fractals (*.ifs *.par *.lesson *.flame *.flam3 *.csv *.tsv *.txt *.png *.svg);;Fractint collections (*.ifs *.par);;Flames (*.flame *.flam3);;Tables of numbers (*.csv *.tsv *.txt);;Pictures with an embedded fractal (*.png *.svg);;Lessons (*.lesson);;All files (*)</source>
+        <translation>Archivos con fractales (*.ifs *.par *.lesson *.flame *.flam3 *.csv *.tsv *.txt *.png *.svg);;Colecciones de Fractint (*.ifs *.par);;Flames (*.flame *.flam3);;Tablas de números (*.csv *.tsv *.txt);;Imágenes que llevan su fractal (*.png *.svg);;Lecciones (*.lesson);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>The lesson is not saved yet: choose Save Lesson.</source>
+        <translation>La lección aún no está guardada: elija Guardar lección.</translation>
+    </message>
+    <message>
+        <source>laser plotter cutter engrave dxf outline millimetres millimeters</source>
+        <translation>láser plóter cortadora grabar cortar contorno milímetros</translation>
+    </message>
+    <message>
+        <source>Copy saved</source>
+        <translation>Copia guardada</translation>
+    </message>
+    <message>
+        <source>%1 was saved for other programs.</source>
+        <translation>%1 se guardó para otros programas.</translation>
     </message>
 </context>
 <context>
@@ -5658,10 +5674,10 @@
         <translation>Hay exportaciones sin terminar</translation>
     </message>
     <message numerus="yes">
-        <source>They will continue the next time you start Barycage. Close it now?</source>
+        <source>Barycage closes when they are finished. Closed now, it continues with them at its next start.</source>
         <translation>
-            <numerusform>Continuará la próxima vez que inicie Barycage. ¿Cerrarlo ahora?</numerusform>
-            <numerusform>Continuarán la próxima vez que inicie Barycage. ¿Cerrarlo ahora?</numerusform>
+            <numerusform>Barycage se cierra cuando termine. Si lo cierra ahora, continuará en el próximo inicio.</numerusform>
+            <numerusform>Barycage se cierra cuando terminen. Si lo cierra ahora, continuarán en el próximo inicio.</numerusform>
         </translation>
     </message>
     <message>
@@ -6481,8 +6497,8 @@
         <translation>el codificador WebP no tiene suficiente memoria.</translation>
     </message>
     <message>
-        <source>An exact picture of this system would take too long. Draw it with samples.</source>
-        <translation>Una imagen exacta de este sistema tardaría demasiado. Dibújela con muestras.</translation>
+        <source>An exact picture of this system would take too long. Draw it with points.</source>
+        <translation>Una imagen exacta de este sistema tardaría demasiado. Dibújela con puntos.</translation>
     </message>
     <message>
         <source>The folder for temporary files does not have enough space for the frames: %1.</source>
@@ -6693,56 +6709,28 @@
         <translation>PNG: píxeles</translation>
     </message>
     <message>
-        <source>Picture (.png)</source>
-        <translation>Imagen (.png)</translation>
-    </message>
-    <message>
         <source>JPEG: pixels, a small file</source>
         <translation>JPEG: píxeles, un archivo pequeño</translation>
-    </message>
-    <message>
-        <source>Picture (.jpg)</source>
-        <translation>Imagen (.jpg)</translation>
     </message>
     <message>
         <source>WebP: pixels, for web pages</source>
         <translation>WebP: píxeles, para páginas web</translation>
     </message>
     <message>
-        <source>Picture (.webp)</source>
-        <translation>Imagen (.webp)</translation>
-    </message>
-    <message>
         <source>TIFF: pixels, for print</source>
         <translation>TIFF: píxeles, para imprimir</translation>
-    </message>
-    <message>
-        <source>Picture (.tiff)</source>
-        <translation>Imagen (.tiff)</translation>
     </message>
     <message>
         <source>OpenEXR: linear light, for compositing</source>
         <translation>OpenEXR: luz lineal, para composición</translation>
     </message>
     <message>
-        <source>Picture in linear light (.exr)</source>
-        <translation>Imagen en luz lineal (.exr)</translation>
-    </message>
-    <message>
         <source>PDF: shapes for print</source>
         <translation>PDF: formas para imprimir</translation>
     </message>
     <message>
-        <source>Picture in PDF (.pdf)</source>
-        <translation>Imagen en PDF (.pdf)</translation>
-    </message>
-    <message>
         <source>SVG: shapes for drawing programs</source>
         <translation>SVG: formas para programas de dibujo</translation>
-    </message>
-    <message>
-        <source>Picture in SVG (.svg)</source>
-        <translation>Imagen en SVG (.svg)</translation>
     </message>
     <message>
         <source>Mesh for 3D printing (.stl)</source>
@@ -6807,6 +6795,14 @@
     <message>
         <source>Lesson</source>
         <translation>Lección</translation>
+    </message>
+    <message>
+        <source>PDF: a page with the picture</source>
+        <translation>PDF: una página con la imagen</translation>
+    </message>
+    <message>
+        <source>SVG: a page with the picture</source>
+        <translation>SVG: una página con la imagen</translation>
     </message>
 </context>
 <context>
@@ -6922,6 +6918,22 @@
     <message>
         <source>&amp;Go On</source>
         <translation>&amp;Seguir</translation>
+    </message>
+    <message>
+        <source>Open the panel %1 again: it is under View › Panels.</source>
+        <translation>Vuelva a abrir el panel %1: está en Ver › Paneles.</translation>
+    </message>
+    <message>
+        <source>That Is All</source>
+        <translation>Eso es todo</translation>
+    </message>
+    <message>
+        <source>Now take whatever you like by its corners.</source>
+        <translation>Ahora tome lo que quiera por sus esquinas.</translation>
+    </message>
+    <message>
+        <source>Press Ctrl+Z once more: the picture is still flat.</source>
+        <translation>Pulse Ctrl+Z otra vez: la imagen aún está plana.</translation>
     </message>
 </context>
 <context>
@@ -7042,6 +7054,14 @@
     <message>
         <source>Close</source>
         <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>Printed to a file</source>
+        <translation>Impreso en un archivo</translation>
+    </message>
+    <message>
+        <source>%1 was written.</source>
+        <translation>%1 se ha escrito.</translation>
     </message>
 </context>
 <context>
@@ -9053,10 +9073,6 @@
         <translation>No se encontró nada que concuerde mejor.</translation>
     </message>
     <message>
-        <source>The target has changed, so the fit was cancelled.</source>
-        <translation>El objetivo ha cambiado, así que se canceló el ajuste.</translation>
-    </message>
-    <message>
         <source>Guarantee for the shades</source>
         <translation>Garantía para los tonos</translation>
     </message>
@@ -9112,6 +9128,10 @@
         <source>Show how the picture is read, the agreement, and what refines a suggestion</source>
         <translation>Muestra cómo se lee la imagen, la concordancia y lo que refina una propuesta</translation>
     </message>
+    <message>
+        <source>Another picture is shown, so the search for the last one was cancelled.</source>
+        <translation>Se muestra otra imagen, así que se canceló la búsqueda para la anterior.</translation>
+    </message>
 </context>
 <context>
     <name>view::CollectionGrid</name>
@@ -9145,6 +9165,16 @@
     <message>
         <source>%1, from %2</source>
         <translation>%1, de %2</translation>
+    </message>
+    <message>
+        <source>solid 3D space</source>
+        <comment>words of a search</comment>
+        <translation>sólido 3D espacio</translation>
+    </message>
+    <message>
+        <source>moving animation motion</source>
+        <comment>words of a search</comment>
+        <translation>movimiento animación animado</translation>
     </message>
 </context>
 <context>
@@ -9449,10 +9479,6 @@
         <translation>papel impresora pdf página</translation>
     </message>
     <message>
-        <source>worksheet class students exercise paper</source>
-        <translation>hoja clase alumnos ejercicio papel</translation>
-    </message>
-    <message>
         <source>surprise chance lucky generate dice new</source>
         <translation>sorpresa azar suerte generar dado nuevo</translation>
     </message>
@@ -9463,14 +9489,6 @@
     <message>
         <source>mirror reflect upside down</source>
         <translation>espejo reflejar invertir boca abajo</translation>
-    </message>
-    <message>
-        <source>flip mirror reflect | rotate scale shear move shift turn size</source>
-        <translation>voltear reflejar espejo | rotar girar escalar cizallar mover tamaño</translation>
-    </message>
-    <message>
-        <source>undo original restore straighten</source>
-        <translation>original restaurar enderezar</translation>
     </message>
     <message>
         <source>hull triangle tight smallest</source>
@@ -9513,10 +9531,6 @@
         <translation>tutorial introducción principiante aprender</translation>
     </message>
     <message>
-        <source>timeline motion movie keyframes</source>
-        <translation>línea de tiempo movimiento película fotogramas clave</translation>
-    </message>
-    <message>
         <source>sway wind storm blow</source>
         <translation>mecer brisa tormenta soplar</translation>
     </message>
@@ -9546,11 +9560,7 @@
     </message>
     <message>
         <source>shade silhouette drop cast ground light sun</source>
-        <translation>silueta suelo luz sol proyectar oscuro</translation>
-    </message>
-    <message>
-        <source>share send browser html embed publish interactive</source>
-        <translation>compartir enviar navegador html insertar publicar interactivo</translation>
+        <translation>silueta suelo luz sol proyectar</translation>
     </message>
     <message>
         <source>share send email mail post message url</source>
@@ -9561,12 +9571,40 @@
         <translation>dimensión demostración certificado | demostrar Hausdorff área medida solapamiento conexo</translation>
     </message>
     <message>
-        <source>colours palette gradient hue background transparent brightness</source>
-        <translation>colores paleta degradado tono fondo transparente brillo</translation>
-    </message>
-    <message>
         <source>reorder rearrange order sort</source>
         <translation>reordenar ordenar orden</translation>
+    </message>
+    <message>
+        <source>gallery examples library favourites leaf tree fern snowflake dragon sponge</source>
+        <translation>galería ejemplos biblioteca favoritos hoja árbol helecho copo dragón esponja</translation>
+    </message>
+    <message>
+        <source>linked maps graph-directed which follows which forbidden</source>
+        <translation>aplicaciones enlazadas grafo dirigido prohibido</translation>
+    </message>
+    <message>
+        <source>colours palette gradient hue background transparent brightness contrast black white grey</source>
+        <translation>colores paleta degradado tono fondo transparente brillo contraste blanco negro gris</translation>
+    </message>
+    <message>
+        <source>flip mirror reflect | rotate scale shear move shift turn size resize bigger larger smaller</source>
+        <translation>voltear reflejar espejo | rotar girar escalar cizallar mover tamaño más grande pequeño</translation>
+    </message>
+    <message>
+        <source>timeline motion movie keyframes speed faster slower morph</source>
+        <translation>línea de tiempo movimiento película fotogramas clave velocidad rápido lento morphing transformar</translation>
+    </message>
+    <message>
+        <source>share send browser html embed publish interactive mail email</source>
+        <translation>compartir enviar navegador html insertar publicar interactivo correo</translation>
+    </message>
+    <message>
+        <source>worksheet class students exercise paper teacher</source>
+        <translation>hoja clase alumnos ejercicio papel profesor profesora</translation>
+    </message>
+    <message>
+        <source>undo original restore straighten start over again</source>
+        <translation>original restaurar enderezar empezar de nuevo</translation>
     </message>
 </context>
 <context>
@@ -10376,16 +10414,16 @@
         <translation>Exactitud garantizada: %1.</translation>
     </message>
     <message>
-        <source> The shape itself measures %1 × %2.</source>
-        <translation> La figura misma mide %1 × %2.</translation>
+        <source>The shape itself measures %1 × %2.</source>
+        <translation>La figura misma mide %1 × %2.</translation>
     </message>
     <message>
-        <source> Shades of density need pixels: the shapes have one colour.</source>
-        <translation> Los tonos de la densidad necesitan píxeles: las formas tienen un solo color.</translation>
+        <source>Shades of density need pixels: the shapes have one colour.</source>
+        <translation>Los tonos de la densidad necesitan píxeles: las formas tienen un solo color.</translation>
     </message>
     <message>
-        <source> The cage bends the picture, which copies cannot reproduce: the affine fit of the cage is written instead. A PNG shows the bend.</source>
-        <translation> La jaula curva la imagen, y las copias no pueden seguirla: se escribe el ajuste afín de la jaula. Un PNG sí muestra la curvatura.</translation>
+        <source>The cage bends the picture, which copies cannot reproduce: the affine fit of the cage is written instead. A PNG shows the bend.</source>
+        <translation>La jaula curva la imagen, y las copias no pueden seguirla: se escribe el ajuste afín de la jaula. Un PNG sí muestra la curvatura.</translation>
     </message>
     <message>
         <source>Export Picture</source>
@@ -10436,8 +10474,8 @@
         <translation>Se hacen copias cada vez más pequeñas hasta que ningún píxel de este tamaño pueda notar la diferencia, o hasta que los programas tarden mucho en dibujarlas.</translation>
     </message>
     <message>
-        <source> More levels would be more accurate, but programs would take long to draw them.</source>
-        <translation> Con más niveles sería más preciso, pero los programas tardarían mucho en dibujarlo.</translation>
+        <source>More levels would be more accurate, but programs would take long to draw them.</source>
+        <translation>Con más niveles sería más preciso, pero los programas tardarían mucho en dibujarlo.</translation>
     </message>
     <message>
         <source>Computing the shapes…</source>
@@ -11634,6 +11672,10 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>Move step</source>
         <translation>Mover el paso</translation>
+    </message>
+    <message>
+        <source>Rename entry</source>
+        <translation>Cambiar el nombre de la entrada</translation>
     </message>
 </context>
 <context>
@@ -13089,6 +13131,10 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <source>An angle in degrees, with or without °, or an expression such as 360/7. An expression with pi, or with asin, acos, atan or atan2, is in radians and becomes degrees: pi/2 is 90. The arrow keys and the wheel change it: ten times as fast with Shift, a tenth as fast with Alt. Esc restores the previous number.</source>
         <translation>Un ángulo en grados, con o sin °, o una expresión como 360/7. Una expresión con pi, o con asin, acos, atan o atan2, está en radianes y se convierte en grados: pi/2 es 90. Las teclas de flecha y la rueda lo cambian: diez veces más rápido con Mayús, diez veces más lento con Alt. Esc restaura el número anterior.</translation>
     </message>
+    <message>
+        <source>%1: the number stays as it was. %2</source>
+        <translation>%1: el número queda como estaba. %2</translation>
+    </message>
 </context>
 <context>
     <name>view::OrbitRows</name>
@@ -13281,6 +13327,10 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>&amp;Use This Order</source>
         <translation>&amp;Usar este orden</translation>
+    </message>
+    <message>
+        <source>&amp;Keep as It Is</source>
+        <translation>&amp;Dejar como está</translation>
     </message>
 </context>
 <context>
@@ -14537,14 +14587,6 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Sup&amp;ermuestreo:</translation>
     </message>
     <message>
-        <source>8 bits</source>
-        <translation>8 bits</translation>
-    </message>
-    <message>
-        <source>16 bits</source>
-        <translation>16 bits</translation>
-    </message>
-    <message>
         <source>Bits per channel. Depths always have 16.</source>
         <translation>Bits por canal. Las profundidades siempre tienen 16.</translation>
     </message>
@@ -14621,10 +14663,6 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Encuadre</translation>
     </message>
     <message>
-        <source>What the picture shows: the view on the canvas, or a saved view.</source>
-        <translation>Lo que muestra la imagen: lo que muestra el lienzo o una vista guardada.</translation>
-    </message>
-    <message>
         <source>Sect&amp;ion:</source>
         <translation>Enc&amp;uadre:</translation>
     </message>
@@ -14645,16 +14683,40 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Un sólido no tiene formas: el archivo contiene su imagen en píxeles.</translation>
     </message>
     <message>
-        <source>Co&amp;lours:</source>
-        <translation>Co&amp;lores:</translation>
-    </message>
-    <message>
         <source>Stere&amp;o:</source>
         <translation>Es&amp;téreo:</translation>
     </message>
     <message>
         <source>The name “%1” does not determine the format. It must end with one of these: %2.</source>
         <translation>El nombre «%1» no indica el formato. Debe terminar en una de estas extensiones: %2.</translation>
+    </message>
+    <message>
+        <source>Include the ca&amp;ge</source>
+        <translation>In&amp;cluir la jaula</translation>
+    </message>
+    <message>
+        <source>Draws the cage over the picture.</source>
+        <translation>Dibuja la jaula encima de la imagen.</translation>
+    </message>
+    <message>
+        <source>The whole attractor</source>
+        <translation>El atractor completo</translation>
+    </message>
+    <message>
+        <source>What the picture shows: the view on the canvas, or the whole attractor with a small margin. Saved views are listed, too.</source>
+        <translation>Lo que muestra la imagen: lo que muestra el lienzo, o el atractor con un pequeño margen, mire donde mire el lienzo. Las vistas guardadas también están en la lista.</translation>
+    </message>
+    <message>
+        <source>8 bits per channel</source>
+        <translation>8 bits por canal</translation>
+    </message>
+    <message>
+        <source>16 bits per channel, for further editing</source>
+        <translation>16 bits por canal, para seguir trabajando con la imagen</translation>
+    </message>
+    <message>
+        <source>C&amp;olour depth:</source>
+        <translation>Profundidad de c&amp;olor:</translation>
     </message>
 </context>
 <context>
@@ -15273,10 +15335,6 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Volver a usar toda la imagen</translation>
     </message>
     <message>
-        <source>Choose a Target</source>
-        <translation>Elegir un objetivo</translation>
-    </message>
-    <message>
         <source>There is no picture on the clipboard.</source>
         <translation>No hay ninguna imagen en el portapapeles.</translation>
     </message>
@@ -15331,6 +15389,10 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>The target is not saved with the file. It is kept while the file is open.</source>
         <translation>El objetivo no se guarda con el archivo. Se conserva mientras el archivo está abierto.</translation>
+    </message>
+    <message>
+        <source>Choose a Picture</source>
+        <translation>Elegir una imagen</translation>
     </message>
 </context>
 <context>

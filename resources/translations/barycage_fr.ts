@@ -2840,10 +2840,6 @@
         <translation>Élever des variations de cette fractale ou la croiser avec une autre</translation>
     </message>
     <message>
-        <source>Fractint collections (*.ifs *.par);;Flames (*.flame *.flam3);;Tables of numbers (*.csv *.tsv *.txt);;Pictures with an embedded fractal (*.png *.svg);;Lessons (*.lesson);;All files (*)</source>
-        <translation>Collections Fractint (*.ifs *.par);;Flammes (*.flame *.flam3);;Tableaux de nombres (*.csv *.tsv *.txt);;Images contenant leur fractale (*.png *.svg);;Leçons (*.lesson);;Tous les fichiers (*)</translation>
-    </message>
-    <message>
         <source>The Chaos Game</source>
         <translation>Le jeu du chaos</translation>
     </message>
@@ -3493,6 +3489,26 @@
     <message>
         <source>Copy lines for a notebook that make the fractal with the Python package “barycage”</source>
         <translation>Copier des lignes pour un notebook, qui créent la fractale avec le paquet Python «&#xa0;barycage&#xa0;»</translation>
+    </message>
+    <message>
+        <source>Files with fractals (*.ifs *.par *.lesson *.flame *.flam3 *.csv *.tsv *.txt *.png *.svg);;Fractint collections (*.ifs *.par);;Flames (*.flame *.flam3);;Tables of numbers (*.csv *.tsv *.txt);;Pictures with an embedded fractal (*.png *.svg);;Lessons (*.lesson);;All files (*)</source>
+        <translation>Fichiers avec des fractales (*.ifs *.par *.lesson *.flame *.flam3 *.csv *.tsv *.txt *.png *.svg);;Collections Fractint (*.ifs *.par);;Flammes (*.flame *.flam3);;Tableaux de nombres (*.csv *.tsv *.txt);;Images contenant leur fractale (*.png *.svg);;Leçons (*.lesson);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>The lesson is not saved yet: choose Save Lesson.</source>
+        <translation>La leçon n’est pas encore enregistrée&#x202f;: choisissez Enregistrer la leçon.</translation>
+    </message>
+    <message>
+        <source>laser plotter cutter engrave dxf outline millimetres millimeters</source>
+        <translation>laser traceur découpe découper graver contour millimètres</translation>
+    </message>
+    <message>
+        <source>Copy saved</source>
+        <translation>Copie enregistrée</translation>
+    </message>
+    <message>
+        <source>%1 was saved for other programs.</source>
+        <translation>%1 a été enregistré pour d’autres programmes.</translation>
     </message>
 </context>
 <context>
@@ -5658,10 +5674,10 @@
         <translation>Des exports ne sont pas terminés</translation>
     </message>
     <message numerus="yes">
-        <source>They will continue the next time you start Barycage. Close it now?</source>
+        <source>Barycage closes when they are finished. Closed now, it continues with them at its next start.</source>
         <translation>
-            <numerusform>Il reprendra au prochain démarrage de Barycage. Fermer maintenant&#x202f;?</numerusform>
-            <numerusform>Ils reprendront au prochain démarrage de Barycage. Fermer maintenant&#x202f;?</numerusform>
+            <numerusform>Barycage se ferme quand il est terminé. Si vous le fermez maintenant, il reprendra au prochain démarrage.</numerusform>
+            <numerusform>Barycage se ferme quand ils sont terminés. Si vous le fermez maintenant, ils reprendront au prochain démarrage.</numerusform>
         </translation>
     </message>
     <message>
@@ -6481,8 +6497,8 @@
         <translation>l’encodeur WebP n’a pas assez de mémoire.</translation>
     </message>
     <message>
-        <source>An exact picture of this system would take too long. Draw it with samples.</source>
-        <translation>Une image exacte de ce système prendrait trop de temps. Dessinez-la par échantillons.</translation>
+        <source>An exact picture of this system would take too long. Draw it with points.</source>
+        <translation>Une image exacte de ce système prendrait trop de temps. Dessinez-la par points.</translation>
     </message>
     <message>
         <source>The folder for temporary files does not have enough space for the frames: %1.</source>
@@ -6693,56 +6709,28 @@
         <translation>PNG&#x202f;: pixels</translation>
     </message>
     <message>
-        <source>Picture (.png)</source>
-        <translation>Image (.png)</translation>
-    </message>
-    <message>
         <source>JPEG: pixels, a small file</source>
         <translation>JPEG&#x202f;: pixels, un petit fichier</translation>
-    </message>
-    <message>
-        <source>Picture (.jpg)</source>
-        <translation>Image (.jpg)</translation>
     </message>
     <message>
         <source>WebP: pixels, for web pages</source>
         <translation>WebP&#x202f;: pixels, pour les pages web</translation>
     </message>
     <message>
-        <source>Picture (.webp)</source>
-        <translation>Image (.webp)</translation>
-    </message>
-    <message>
         <source>TIFF: pixels, for print</source>
         <translation>TIFF&#x202f;: pixels, pour l’impression</translation>
-    </message>
-    <message>
-        <source>Picture (.tiff)</source>
-        <translation>Image (.tiff)</translation>
     </message>
     <message>
         <source>OpenEXR: linear light, for compositing</source>
         <translation>OpenEXR&#x202f;: lumière linéaire, pour le compositing</translation>
     </message>
     <message>
-        <source>Picture in linear light (.exr)</source>
-        <translation>Image en lumière linéaire (.exr)</translation>
-    </message>
-    <message>
         <source>PDF: shapes for print</source>
         <translation>PDF&#x202f;: formes pour l’impression</translation>
     </message>
     <message>
-        <source>Picture in PDF (.pdf)</source>
-        <translation>Image en PDF (.pdf)</translation>
-    </message>
-    <message>
         <source>SVG: shapes for drawing programs</source>
         <translation>SVG&#x202f;: formes pour logiciels de dessin</translation>
-    </message>
-    <message>
-        <source>Picture in SVG (.svg)</source>
-        <translation>Image en SVG (.svg)</translation>
     </message>
     <message>
         <source>Mesh for 3D printing (.stl)</source>
@@ -6807,6 +6795,14 @@
     <message>
         <source>Lesson</source>
         <translation>Leçon</translation>
+    </message>
+    <message>
+        <source>PDF: a page with the picture</source>
+        <translation>PDF : une page avec l’image</translation>
+    </message>
+    <message>
+        <source>SVG: a page with the picture</source>
+        <translation>SVG : une page avec l’image</translation>
     </message>
 </context>
 <context>
@@ -6922,6 +6918,22 @@
     <message>
         <source>&amp;Go On</source>
         <translation>&amp;Continuer</translation>
+    </message>
+    <message>
+        <source>Open the panel %1 again: it is under View › Panels.</source>
+        <translation>Rouvrez le panneau %1&#x202f;: il est sous Affichage › Panneaux.</translation>
+    </message>
+    <message>
+        <source>That Is All</source>
+        <translation>C’est tout</translation>
+    </message>
+    <message>
+        <source>Now take whatever you like by its corners.</source>
+        <translation>Prenez maintenant ce que vous voulez par ses coins.</translation>
+    </message>
+    <message>
+        <source>Press Ctrl+Z once more: the picture is still flat.</source>
+        <translation>Appuyez encore une fois sur Ctrl+Z : l’image est encore plate.</translation>
     </message>
 </context>
 <context>
@@ -7042,6 +7054,14 @@
     <message>
         <source>Close</source>
         <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>Printed to a file</source>
+        <translation>Imprimé dans un fichier</translation>
+    </message>
+    <message>
+        <source>%1 was written.</source>
+        <translation>%1 a été écrit.</translation>
     </message>
 </context>
 <context>
@@ -9053,10 +9073,6 @@
         <translation>Rien de plus concordant n’a été trouvé.</translation>
     </message>
     <message>
-        <source>The target has changed, so the fit was cancelled.</source>
-        <translation>La cible a changé, l’ajustement a donc été annulé.</translation>
-    </message>
-    <message>
         <source>Guarantee for the shades</source>
         <translation>Garantie pour les nuances</translation>
     </message>
@@ -9112,6 +9128,10 @@
         <source>Show how the picture is read, the agreement, and what refines a suggestion</source>
         <translation>Montre comment l’image est lue, la concordance et ce qui affine une proposition</translation>
     </message>
+    <message>
+        <source>Another picture is shown, so the search for the last one was cancelled.</source>
+        <translation>Une autre image est affichée, la recherche pour la précédente a donc été annulée.</translation>
+    </message>
 </context>
 <context>
     <name>view::CollectionGrid</name>
@@ -9145,6 +9165,16 @@
     <message>
         <source>%1, from %2</source>
         <translation>%1, de %2</translation>
+    </message>
+    <message>
+        <source>solid 3D space</source>
+        <comment>words of a search</comment>
+        <translation>solide 3D espace</translation>
+    </message>
+    <message>
+        <source>moving animation motion</source>
+        <comment>words of a search</comment>
+        <translation>mouvement animation animé</translation>
     </message>
 </context>
 <context>
@@ -9449,10 +9479,6 @@
         <translation>papier imprimante pdf page</translation>
     </message>
     <message>
-        <source>worksheet class students exercise paper</source>
-        <translation>fiche classe élèves exercice papier</translation>
-    </message>
-    <message>
         <source>surprise chance lucky generate dice new</source>
         <translation>surprise hasard chance générer dé nouveau</translation>
     </message>
@@ -9463,14 +9489,6 @@
     <message>
         <source>mirror reflect upside down</source>
         <translation>miroir refléter retourner à l’envers</translation>
-    </message>
-    <message>
-        <source>flip mirror reflect | rotate scale shear move shift turn size</source>
-        <translation>retourner miroir refléter symétrie | tourner pivoter agrandir cisailler déplacer taille</translation>
-    </message>
-    <message>
-        <source>undo original restore straighten</source>
-        <translation>origine restaurer redresser</translation>
     </message>
     <message>
         <source>hull triangle tight smallest</source>
@@ -9513,10 +9531,6 @@
         <translation>tutoriel introduction débutant apprendre</translation>
     </message>
     <message>
-        <source>timeline motion movie keyframes</source>
-        <translation>ligne de temps mouvement film images clés</translation>
-    </message>
-    <message>
         <source>sway wind storm blow</source>
         <translation>balancer brise tempête souffler</translation>
     </message>
@@ -9546,11 +9560,7 @@
     </message>
     <message>
         <source>shade silhouette drop cast ground light sun</source>
-        <translation>silhouette sol lumière soleil projeter sombre</translation>
-    </message>
-    <message>
-        <source>share send browser html embed publish interactive</source>
-        <translation>partager envoyer navigateur html intégrer publier interactif</translation>
+        <translation>silhouette sol lumière soleil projeter</translation>
     </message>
     <message>
         <source>share send email mail post message url</source>
@@ -9561,12 +9571,40 @@
         <translation>dimension preuve certificat | prouver démontrer Hausdorff aire mesure recouvrement connexe</translation>
     </message>
     <message>
-        <source>colours palette gradient hue background transparent brightness</source>
-        <translation>couleurs palette dégradé teinte fond transparent luminosité</translation>
-    </message>
-    <message>
         <source>reorder rearrange order sort</source>
         <translation>réordonner réorganiser ordre trier</translation>
+    </message>
+    <message>
+        <source>gallery examples library favourites leaf tree fern snowflake dragon sponge</source>
+        <translation>galerie exemples bibliothèque favoris feuille arbre fougère flocon dragon éponge</translation>
+    </message>
+    <message>
+        <source>linked maps graph-directed which follows which forbidden</source>
+        <translation>applications liées graphe orienté interdit</translation>
+    </message>
+    <message>
+        <source>colours palette gradient hue background transparent brightness contrast black white grey</source>
+        <translation>couleurs palette dégradé teinte fond transparent luminosité contraste noir blanc gris</translation>
+    </message>
+    <message>
+        <source>flip mirror reflect | rotate scale shear move shift turn size resize bigger larger smaller</source>
+        <translation>retourner miroir refléter symétrie | tourner pivoter agrandir cisailler déplacer taille plus grand petit réduire</translation>
+    </message>
+    <message>
+        <source>timeline motion movie keyframes speed faster slower morph</source>
+        <translation>ligne de temps mouvement film images clés vitesse rapide lent morphing transformer</translation>
+    </message>
+    <message>
+        <source>share send browser html embed publish interactive mail email</source>
+        <translation>partager envoyer navigateur html intégrer publier interactif courriel e-mail</translation>
+    </message>
+    <message>
+        <source>worksheet class students exercise paper teacher</source>
+        <translation>fiche classe élèves exercice papier professeur</translation>
+    </message>
+    <message>
+        <source>undo original restore straighten start over again</source>
+        <translation>origine restaurer redresser recommencer</translation>
     </message>
 </context>
 <context>
@@ -10376,16 +10414,16 @@
         <translation>Précision garantie : %1.</translation>
     </message>
     <message>
-        <source> The shape itself measures %1 × %2.</source>
-        <translation> La forme elle-même mesure %1 × %2.</translation>
+        <source>The shape itself measures %1 × %2.</source>
+        <translation>La forme elle-même mesure %1 × %2.</translation>
     </message>
     <message>
-        <source> Shades of density need pixels: the shapes have one colour.</source>
-        <translation> Les nuances de densité demandent des pixels : les formes ont une seule couleur.</translation>
+        <source>Shades of density need pixels: the shapes have one colour.</source>
+        <translation>Les nuances de densité demandent des pixels : les formes ont une seule couleur.</translation>
     </message>
     <message>
-        <source> The cage bends the picture, which copies cannot reproduce: the affine fit of the cage is written instead. A PNG shows the bend.</source>
-        <translation> La cage courbe l’image, ce que des copies ne peuvent pas suivre&#x202f;: c’est l’ajustement affine de la cage qui est écrit. Un PNG montre l’image courbée.</translation>
+        <source>The cage bends the picture, which copies cannot reproduce: the affine fit of the cage is written instead. A PNG shows the bend.</source>
+        <translation>La cage courbe l’image, ce que des copies ne peuvent pas suivre&#x202f;: c’est l’ajustement affine de la cage qui est écrit. Un PNG montre l’image courbée.</translation>
     </message>
     <message>
         <source>Export Picture</source>
@@ -10436,8 +10474,8 @@
         <translation>Les copies sont réduites jusqu’à ce qu’aucun pixel de cette taille ne puisse montrer la différence, ou que les logiciels mettent longtemps à les dessiner.</translation>
     </message>
     <message>
-        <source> More levels would be more accurate, but programs would take long to draw them.</source>
-        <translation> Plus de niveaux seraient plus précis, mais les programmes mettraient longtemps à les dessiner.</translation>
+        <source>More levels would be more accurate, but programs would take long to draw them.</source>
+        <translation>Plus de niveaux seraient plus précis, mais les programmes mettraient longtemps à les dessiner.</translation>
     </message>
     <message>
         <source>Computing the shapes…</source>
@@ -11634,6 +11672,10 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>Move step</source>
         <translation>Déplacer l’étape</translation>
+    </message>
+    <message>
+        <source>Rename entry</source>
+        <translation>Renommer l’entrée</translation>
     </message>
 </context>
 <context>
@@ -13089,6 +13131,10 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <source>An angle in degrees, with or without °, or an expression such as 360/7. An expression with pi, or with asin, acos, atan or atan2, is in radians and becomes degrees: pi/2 is 90. The arrow keys and the wheel change it: ten times as fast with Shift, a tenth as fast with Alt. Esc restores the previous number.</source>
         <translation>Un angle en degrés, avec ou sans °, ou une expression comme 360/7. Une expression avec pi, ou avec asin, acos, atan ou atan2, est en radians et devient des degrés&#x202f;: pi/2 est 90. Les touches fléchées et la molette le modifient&#x202f;: dix fois plus vite avec Maj, dix fois moins vite avec Alt. Échap rétablit le nombre précédent.</translation>
     </message>
+    <message>
+        <source>%1: the number stays as it was. %2</source>
+        <translation>%1 : le nombre reste inchangé. %2</translation>
+    </message>
 </context>
 <context>
     <name>view::OrbitRows</name>
@@ -13281,6 +13327,10 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>&amp;Use This Order</source>
         <translation>&amp;Utiliser cet ordre</translation>
+    </message>
+    <message>
+        <source>&amp;Keep as It Is</source>
+        <translation>&amp;Laisser ainsi</translation>
     </message>
 </context>
 <context>
@@ -14537,14 +14587,6 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>S&amp;uréchantillonnage&#x202f;:</translation>
     </message>
     <message>
-        <source>8 bits</source>
-        <translation>8 bits</translation>
-    </message>
-    <message>
-        <source>16 bits</source>
-        <translation>16 bits</translation>
-    </message>
-    <message>
         <source>Bits per channel. Depths always have 16.</source>
         <translation>Bits par canal. Les profondeurs en ont toujours 16.</translation>
     </message>
@@ -14621,10 +14663,6 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Cadrage</translation>
     </message>
     <message>
-        <source>What the picture shows: the view on the canvas, or a saved view.</source>
-        <translation>Ce que montre l’image&#x202f;: ce que montre le canevas, ou une vue enregistrée.</translation>
-    </message>
-    <message>
         <source>Sect&amp;ion:</source>
         <translation>Ca&amp;drage&#x202f;:</translation>
     </message>
@@ -14645,16 +14683,40 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Un solide n’a pas de formes&#x202f;: le fichier contient son image en pixels.</translation>
     </message>
     <message>
-        <source>Co&amp;lours:</source>
-        <translation>Cou&amp;leurs&#x202f;:</translation>
-    </message>
-    <message>
         <source>Stere&amp;o:</source>
         <translation>Stéré&amp;o&#x202f;:</translation>
     </message>
     <message>
         <source>The name “%1” does not determine the format. It must end with one of these: %2.</source>
         <translation>Le nom «&#x202f;%1&#x202f;» n’indique pas le format. Il doit se terminer par l’une de ces extensions&#x202f;: %2.</translation>
+    </message>
+    <message>
+        <source>Include the ca&amp;ge</source>
+        <translation>&amp;Inclure la cage</translation>
+    </message>
+    <message>
+        <source>Draws the cage over the picture.</source>
+        <translation>Dessine la cage par-dessus l’image.</translation>
+    </message>
+    <message>
+        <source>The whole attractor</source>
+        <translation>L’attracteur entier</translation>
+    </message>
+    <message>
+        <source>What the picture shows: the view on the canvas, or the whole attractor with a small margin. Saved views are listed, too.</source>
+        <translation>Ce que montre l’image&#x202f;: ce que montre le canevas, ou l’attracteur avec une petite marge, où que regarde le canevas. Les vues enregistrées sont aussi dans la liste.</translation>
+    </message>
+    <message>
+        <source>8 bits per channel</source>
+        <translation>8 bits par canal</translation>
+    </message>
+    <message>
+        <source>16 bits per channel, for further editing</source>
+        <translation>16 bits par canal, pour retravailler l’image</translation>
+    </message>
+    <message>
+        <source>C&amp;olour depth:</source>
+        <translation>Profondeur de &amp;couleur&#x202f;:</translation>
     </message>
 </context>
 <context>
@@ -15273,10 +15335,6 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Utiliser de nouveau toute l’image</translation>
     </message>
     <message>
-        <source>Choose a Target</source>
-        <translation>Choisir une cible</translation>
-    </message>
-    <message>
         <source>There is no picture on the clipboard.</source>
         <translation>Le presse-papiers ne contient pas d’image.</translation>
     </message>
@@ -15331,6 +15389,10 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>The target is not saved with the file. It is kept while the file is open.</source>
         <translation>La cible n’est pas enregistrée avec le fichier. Elle est conservée tant que le fichier est ouvert.</translation>
+    </message>
+    <message>
+        <source>Choose a Picture</source>
+        <translation>Choisir une image</translation>
     </message>
 </context>
 <context>

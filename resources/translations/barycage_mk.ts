@@ -2845,10 +2845,6 @@
         <translation>Одгледувај варијанти на овој фрактал или вкрсти го со друг</translation>
     </message>
     <message>
-        <source>Fractint collections (*.ifs *.par);;Flames (*.flame *.flam3);;Tables of numbers (*.csv *.tsv *.txt);;Pictures with an embedded fractal (*.png *.svg);;Lessons (*.lesson);;All files (*)</source>
-        <translation>Збирки на Fractint (*.ifs *.par);;Пламени (*.flame *.flam3);;Табели со броеви (*.csv *.tsv *.txt);;Слики што го носат својот фрактал (*.png *.svg);;Лекции (*.lesson);;Сите датотеки (*)</translation>
-    </message>
-    <message>
         <source>The Chaos Game</source>
         <translation>Играта на хаосот</translation>
     </message>
@@ -3499,6 +3495,26 @@
     <message>
         <source>Copy lines for a notebook that make the fractal with the Python package “barycage”</source>
         <translation>Копирај редови за тетратка што го создаваат фракталот со пакетот за Python „barycage“</translation>
+    </message>
+    <message>
+        <source>Files with fractals (*.ifs *.par *.lesson *.flame *.flam3 *.csv *.tsv *.txt *.png *.svg);;Fractint collections (*.ifs *.par);;Flames (*.flame *.flam3);;Tables of numbers (*.csv *.tsv *.txt);;Pictures with an embedded fractal (*.png *.svg);;Lessons (*.lesson);;All files (*)</source>
+        <translation>Датотеки со фрактали (*.ifs *.par *.lesson *.flame *.flam3 *.csv *.tsv *.txt *.png *.svg);;Збирки на Fractint (*.ifs *.par);;Пламени (*.flame *.flam3);;Табели со броеви (*.csv *.tsv *.txt);;Слики што го носат својот фрактал (*.png *.svg);;Лекции (*.lesson);;Сите датотеки (*)</translation>
+    </message>
+    <message>
+        <source>The lesson is not saved yet: choose Save Lesson.</source>
+        <translation>Лекцијата сè уште не е зачувана: изберете „Зачувај лекција“.</translation>
+    </message>
+    <message>
+        <source>laser plotter cutter engrave dxf outline millimetres millimeters</source>
+        <translation>ласер плотер сечење секач гравирање контура милиметри</translation>
+    </message>
+    <message>
+        <source>Copy saved</source>
+        <translation>Копијата е зачувана</translation>
+    </message>
+    <message>
+        <source>%1 was saved for other programs.</source>
+        <translation>%1 е зачувана за други програми.</translation>
     </message>
 </context>
 <context>
@@ -5668,11 +5684,11 @@
         <translation>Извозите не се завршени</translation>
     </message>
     <message numerus="yes">
-        <source>They will continue the next time you start Barycage. Close it now?</source>
+        <source>Barycage closes when they are finished. Closed now, it continues with them at its next start.</source>
         <translation>
-            <numerusform>Ќе продолжи кога следниот пат ќе го стартувате Barycage. Да се затвори сега?</numerusform>
-            <numerusform>Ќе продолжат кога следниот пат ќе го стартувате Barycage. Да се затвори сега?</numerusform>
-            <numerusform>Ќе продолжат кога следниот пат ќе го стартувате Barycage. Да се затвори сега?</numerusform>
+            <numerusform>Barycage се затвора кога ќе заврши. Ако го затворите сега, ќе продолжи при следното стартување.</numerusform>
+            <numerusform>Barycage се затвора кога ќе завршат. Ако го затворите сега, ќе продолжат при следното стартување.</numerusform>
+            <numerusform>Barycage се затвора кога ќе завршат. Ако го затворите сега, ќе продолжат при следното стартување.</numerusform>
         </translation>
     </message>
     <message>
@@ -6496,8 +6512,8 @@
         <translation>кодерот за WebP нема доволно меморија.</translation>
     </message>
     <message>
-        <source>An exact picture of this system would take too long. Draw it with samples.</source>
-        <translation>Точна слика на овој систем би траела предолго. Нацртајте ја со примероци.</translation>
+        <source>An exact picture of this system would take too long. Draw it with points.</source>
+        <translation>Точна слика на овој систем би траела предолго. Нацртајте ја со точки.</translation>
     </message>
     <message>
         <source>The folder for temporary files does not have enough space for the frames: %1.</source>
@@ -6708,56 +6724,28 @@
         <translation>PNG: пиксели</translation>
     </message>
     <message>
-        <source>Picture (.png)</source>
-        <translation>Слика (.png)</translation>
-    </message>
-    <message>
         <source>JPEG: pixels, a small file</source>
         <translation>JPEG: пиксели, мала датотека</translation>
-    </message>
-    <message>
-        <source>Picture (.jpg)</source>
-        <translation>Слика (.jpg)</translation>
     </message>
     <message>
         <source>WebP: pixels, for web pages</source>
         <translation>WebP: пиксели, за веб-страници</translation>
     </message>
     <message>
-        <source>Picture (.webp)</source>
-        <translation>Слика (.webp)</translation>
-    </message>
-    <message>
         <source>TIFF: pixels, for print</source>
         <translation>TIFF: пиксели, за печатење</translation>
-    </message>
-    <message>
-        <source>Picture (.tiff)</source>
-        <translation>Слика (.tiff)</translation>
     </message>
     <message>
         <source>OpenEXR: linear light, for compositing</source>
         <translation>OpenEXR: линеарна светлина, за композитинг</translation>
     </message>
     <message>
-        <source>Picture in linear light (.exr)</source>
-        <translation>Слика во линеарна светлина (.exr)</translation>
-    </message>
-    <message>
         <source>PDF: shapes for print</source>
         <translation>PDF: облици за печатење</translation>
     </message>
     <message>
-        <source>Picture in PDF (.pdf)</source>
-        <translation>Слика во PDF (.pdf)</translation>
-    </message>
-    <message>
         <source>SVG: shapes for drawing programs</source>
         <translation>SVG: облици за програми за цртање</translation>
-    </message>
-    <message>
-        <source>Picture in SVG (.svg)</source>
-        <translation>Слика во SVG (.svg)</translation>
     </message>
     <message>
         <source>Mesh for 3D printing (.stl)</source>
@@ -6822,6 +6810,14 @@
     <message>
         <source>Lesson</source>
         <translation>Лекција</translation>
+    </message>
+    <message>
+        <source>PDF: a page with the picture</source>
+        <translation>PDF: страница со сликата</translation>
+    </message>
+    <message>
+        <source>SVG: a page with the picture</source>
+        <translation>SVG: страница со сликата</translation>
     </message>
 </context>
 <context>
@@ -6937,6 +6933,22 @@
     <message>
         <source>&amp;Go On</source>
         <translation>&amp;Продолжи</translation>
+    </message>
+    <message>
+        <source>Open the panel %1 again: it is under View › Panels.</source>
+        <translation>Отворете го панелот %1 повторно: под Приказ › Панели е.</translation>
+    </message>
+    <message>
+        <source>That Is All</source>
+        <translation>Тоа е сè</translation>
+    </message>
+    <message>
+        <source>Now take whatever you like by its corners.</source>
+        <translation>Сега фатете што сакате за неговите темиња.</translation>
+    </message>
+    <message>
+        <source>Press Ctrl+Z once more: the picture is still flat.</source>
+        <translation>Притиснете Ctrl+Z уште еднаш: сликата е сè уште рамна.</translation>
     </message>
 </context>
 <context>
@@ -7057,6 +7069,14 @@
     <message>
         <source>Close</source>
         <translation>Затвори</translation>
+    </message>
+    <message>
+        <source>Printed to a file</source>
+        <translation>Отпечатено во датотека</translation>
+    </message>
+    <message>
+        <source>%1 was written.</source>
+        <translation>%1 е запишана.</translation>
     </message>
 </context>
 <context>
@@ -9071,10 +9091,6 @@
         <translation>Не е најдено ништо што подобро се согласува.</translation>
     </message>
     <message>
-        <source>The target has changed, so the fit was cancelled.</source>
-        <translation>Целта се промени, па прилагодувањето е откажано.</translation>
-    </message>
-    <message>
         <source>Guarantee for the shades</source>
         <translation>Гаранција за нијансите</translation>
     </message>
@@ -9130,6 +9146,10 @@
         <source>Show how the picture is read, the agreement, and what refines a suggestion</source>
         <translation>Прикажува како се чита сликата, совпаѓањето и она што го доусовршува предлогот</translation>
     </message>
+    <message>
+        <source>Another picture is shown, so the search for the last one was cancelled.</source>
+        <translation>Прикажана е друга слика, па пребарувањето за претходната е откажано.</translation>
+    </message>
 </context>
 <context>
     <name>view::CollectionGrid</name>
@@ -9163,6 +9183,16 @@
     <message>
         <source>%1, from %2</source>
         <translation>%1, од %2</translation>
+    </message>
+    <message>
+        <source>solid 3D space</source>
+        <comment>words of a search</comment>
+        <translation>тело 3D простор</translation>
+    </message>
+    <message>
+        <source>moving animation motion</source>
+        <comment>words of a search</comment>
+        <translation>движење анимација</translation>
     </message>
 </context>
 <context>
@@ -9467,10 +9497,6 @@
         <translation>хартија печатач pdf страница</translation>
     </message>
     <message>
-        <source>worksheet class students exercise paper</source>
-        <translation>работен лист час ученици вежба хартија</translation>
-    </message>
-    <message>
         <source>surprise chance lucky generate dice new</source>
         <translation>изненадување случајност создај коцка нов</translation>
     </message>
@@ -9481,14 +9507,6 @@
     <message>
         <source>mirror reflect upside down</source>
         <translation>огледало пресликај преврти наопаку</translation>
-    </message>
-    <message>
-        <source>flip mirror reflect | rotate scale shear move shift turn size</source>
-        <translation>преврти огледало пресликај | ротирај заврти размер искоси помести големина</translation>
-    </message>
-    <message>
-        <source>undo original restore straighten</source>
-        <translation>почетно врати исправи</translation>
     </message>
     <message>
         <source>hull triangle tight smallest</source>
@@ -9531,10 +9549,6 @@
         <translation>вовед почетник учење туторијал</translation>
     </message>
     <message>
-        <source>timeline motion movie keyframes</source>
-        <translation>временска линија движење филм клучни кадри</translation>
-    </message>
-    <message>
         <source>sway wind storm blow</source>
         <translation>нишање ветре бура дува</translation>
     </message>
@@ -9564,11 +9578,7 @@
     </message>
     <message>
         <source>shade silhouette drop cast ground light sun</source>
-        <translation>силуета под светлина сонце темно</translation>
-    </message>
-    <message>
-        <source>share send browser html embed publish interactive</source>
-        <translation>сподели испрати прелистувач html вгради објави интерактивно</translation>
+        <translation>силуета под светлина сонце</translation>
     </message>
     <message>
         <source>share send email mail post message url</source>
@@ -9579,12 +9589,40 @@
         <translation>димензија доказ сертификат | докажи Хаусдорф плоштина мера преклопување поврзано</translation>
     </message>
     <message>
-        <source>colours palette gradient hue background transparent brightness</source>
-        <translation>бои палета прелив нијанса позадина проѕирно осветленост</translation>
-    </message>
-    <message>
         <source>reorder rearrange order sort</source>
         <translation>прередување редослед подреди сортирај</translation>
+    </message>
+    <message>
+        <source>gallery examples library favourites leaf tree fern snowflake dragon sponge</source>
+        <translation>галерија примери библиотека омилени лист дрво папрат снегулка змеј сунѓер</translation>
+    </message>
+    <message>
+        <source>linked maps graph-directed which follows which forbidden</source>
+        <translation>поврзани пресликувања граф забрането</translation>
+    </message>
+    <message>
+        <source>colours palette gradient hue background transparent brightness contrast black white grey</source>
+        <translation>бои палета прелив нијанса позадина проѕирно осветленост контраст црно бело сиво</translation>
+    </message>
+    <message>
+        <source>flip mirror reflect | rotate scale shear move shift turn size resize bigger larger smaller</source>
+        <translation>преврти огледало пресликај | ротирај заврти размер искоси помести големина поголем помал</translation>
+    </message>
+    <message>
+        <source>timeline motion movie keyframes speed faster slower morph</source>
+        <translation>временска линија движење филм клучни кадри брзина побрзо побавно морфирање преобразба</translation>
+    </message>
+    <message>
+        <source>share send browser html embed publish interactive mail email</source>
+        <translation>сподели испрати прелистувач html вгради објави интерактивно е-пошта</translation>
+    </message>
+    <message>
+        <source>worksheet class students exercise paper teacher</source>
+        <translation>работен лист час ученици вежба хартија наставник</translation>
+    </message>
+    <message>
+        <source>undo original restore straighten start over again</source>
+        <translation>почетно врати исправи одново</translation>
     </message>
 </context>
 <context>
@@ -10401,16 +10439,16 @@
         <translation>Гарантирана точност: %1.</translation>
     </message>
     <message>
-        <source> The shape itself measures %1 × %2.</source>
-        <translation> Самата форма мери %1 × %2.</translation>
+        <source>The shape itself measures %1 × %2.</source>
+        <translation>Самата форма мери %1 × %2.</translation>
     </message>
     <message>
-        <source> Shades of density need pixels: the shapes have one colour.</source>
-        <translation> Нијансите на густината бараат пиксели: формите имаат само една боја.</translation>
+        <source>Shades of density need pixels: the shapes have one colour.</source>
+        <translation>Нијансите на густината бараат пиксели: формите имаат само една боја.</translation>
     </message>
     <message>
-        <source> The cage bends the picture, which copies cannot reproduce: the affine fit of the cage is written instead. A PNG shows the bend.</source>
-        <translation> Кафезот ја свиткува сликата, а копиите не можат да го следат тоа: се запишува афиното приближување на кафезот. PNG го покажува свиткувањето.</translation>
+        <source>The cage bends the picture, which copies cannot reproduce: the affine fit of the cage is written instead. A PNG shows the bend.</source>
+        <translation>Кафезот ја свиткува сликата, а копиите не можат да го следат тоа: се запишува афиното приближување на кафезот. PNG го покажува свиткувањето.</translation>
     </message>
     <message>
         <source>Export Picture</source>
@@ -10461,8 +10499,8 @@
         <translation>Копиите се смалуваат сѐ додека ниеден пиксел со оваа големина не може да ја забележи разликата или додека на програмите не им треба долго да ги нацртаат.</translation>
     </message>
     <message>
-        <source> More levels would be more accurate, but programs would take long to draw them.</source>
-        <translation> Со повеќе нивоа би било поточно, но програмите долго би цртале.</translation>
+        <source>More levels would be more accurate, but programs would take long to draw them.</source>
+        <translation>Со повеќе нивоа би било поточно, но програмите долго би цртале.</translation>
     </message>
     <message>
         <source>Computing the shapes…</source>
@@ -11665,6 +11703,10 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>Move step</source>
         <translation>Помести го чекорот</translation>
+    </message>
+    <message>
+        <source>Rename entry</source>
+        <translation>Преименувај запис</translation>
     </message>
 </context>
 <context>
@@ -13121,6 +13163,10 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <source>An angle in degrees, with or without °, or an expression such as 360/7. An expression with pi, or with asin, acos, atan or atan2, is in radians and becomes degrees: pi/2 is 90. The arrow keys and the wheel change it: ten times as fast with Shift, a tenth as fast with Alt. Esc restores the previous number.</source>
         <translation>Агол во степени, со или без °, или израз како 360/7. Израз со pi, или со asin, acos, atan или atan2, е во радијани и се претвора во степени: pi/2 е 90. Стрелките и тркалцето го менуваат: десет пати побрзо со Shift, десет пати побавно со Alt. Esc го враќа претходниот број.</translation>
     </message>
+    <message>
+        <source>%1: the number stays as it was. %2</source>
+        <translation>%1: бројот останува каков што беше. %2</translation>
+    </message>
 </context>
 <context>
     <name>view::OrbitRows</name>
@@ -13313,6 +13359,10 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>&amp;Use This Order</source>
         <translation>&amp;Користи го овој редослед</translation>
+    </message>
+    <message>
+        <source>&amp;Keep as It Is</source>
+        <translation>&amp;Остави вака</translation>
     </message>
 </context>
 <context>
@@ -14570,14 +14620,6 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>&amp;Суперсемплирање:</translation>
     </message>
     <message>
-        <source>8 bits</source>
-        <translation>8 бита</translation>
-    </message>
-    <message>
-        <source>16 bits</source>
-        <translation>16 бита</translation>
-    </message>
-    <message>
         <source>Bits per channel. Depths always have 16.</source>
         <translation>Битови за секој канал. Длабочините секогаш имаат 16.</translation>
     </message>
@@ -14654,10 +14696,6 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Исечок</translation>
     </message>
     <message>
-        <source>What the picture shows: the view on the canvas, or a saved view.</source>
-        <translation>Што покажува сликата: она што го покажува платното или зачуван поглед.</translation>
-    </message>
-    <message>
         <source>Sect&amp;ion:</source>
         <translation>Исе&amp;чок:</translation>
     </message>
@@ -14678,16 +14716,40 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Телото нема форми: датотеката ја содржи неговата слика во пиксели.</translation>
     </message>
     <message>
-        <source>Co&amp;lours:</source>
-        <translation>&amp;Бои:</translation>
-    </message>
-    <message>
         <source>Stere&amp;o:</source>
         <translation>&amp;Стерео:</translation>
     </message>
     <message>
         <source>The name “%1” does not determine the format. It must end with one of these: %2.</source>
         <translation>Името „%1“ не го кажува форматот. Мора да завршува на една од овие наставки: %2.</translation>
+    </message>
+    <message>
+        <source>Include the ca&amp;ge</source>
+        <translation>Вклучи го &amp;кафезот</translation>
+    </message>
+    <message>
+        <source>Draws the cage over the picture.</source>
+        <translation>Го црта кафезот врз сликата.</translation>
+    </message>
+    <message>
+        <source>The whole attractor</source>
+        <translation>Целиот атрактор</translation>
+    </message>
+    <message>
+        <source>What the picture shows: the view on the canvas, or the whole attractor with a small margin. Saved views are listed, too.</source>
+        <translation>Што покажува сликата: она што го покажува платното или атракторот со мала маргина, каде и да гледа платното. Во листата се и зачуваните погледи.</translation>
+    </message>
+    <message>
+        <source>8 bits per channel</source>
+        <translation>8 бита по канал</translation>
+    </message>
+    <message>
+        <source>16 bits per channel, for further editing</source>
+        <translation>16 бита по канал, за понатамошна работа на сликата</translation>
+    </message>
+    <message>
+        <source>C&amp;olour depth:</source>
+        <translation>Длабочина на &amp;бојата:</translation>
     </message>
 </context>
 <context>
@@ -15307,10 +15369,6 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Користи ја повторно целата слика</translation>
     </message>
     <message>
-        <source>Choose a Target</source>
-        <translation>Избери цел</translation>
-    </message>
-    <message>
         <source>There is no picture on the clipboard.</source>
         <translation>Нема слика во таблата со исечоци.</translation>
     </message>
@@ -15365,6 +15423,10 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>The target is not saved with the file. It is kept while the file is open.</source>
         <translation>Целта не се зачувува со датотеката. Останува додека датотеката е отворена.</translation>
+    </message>
+    <message>
+        <source>Choose a Picture</source>
+        <translation>Изберете слика</translation>
     </message>
 </context>
 <context>

@@ -18,6 +18,7 @@ QString frameObstacle(const document::Fractal& entry, const animation::Moment& m
 Frames::Frames(const document::Fractal& entry, const RenderArguments& arguments)
     : m_arguments(arguments), m_entry(entry) {
     if (document::plane(entry)) applyAppearance(m_entry.appearance, arguments);
+    if (arguments.overlay.cage) m_lasting = document::lastingCage(entry);
     if (!document::animationFacts(entry) || arguments.view || io::hasCameraKeys(entry)) return;
     if (document::plane(entry))
         m_common.box =
@@ -33,6 +34,7 @@ Shown Frames::at(const animation::Moment& moment) const {
     Shown shown = m_common;
     shown.entry = m_entry;
     shown.fractal = frame.fractal;
+    shown.fractal.lasting = m_lasting;
     shown.view = frame.view;
     shown.camera = frame.camera;
     shown.orbit = frame.orbit;

@@ -35,6 +35,7 @@ public:
 private:
     const RenderArguments& m_arguments;
     document::Fractal m_entry;
+    document::LastingCage m_lasting; // set if the cage is drawn
     Shown m_common;
 };
 

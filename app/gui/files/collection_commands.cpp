@@ -49,8 +49,10 @@ EntryId untouchedCopy(const document::FractalFile& file, document::Fractal wante
 }
 
 void choose(const Fractals& fractals, const CollectionTarget& target) {
-    if (target.file->path().isEmpty() && target.document->undoStack()->count() == 0)
-        return start(fractals, target);
+    // Steps of a lesson name entries, which must stay.
+    const bool isUnused = target.file->path().isEmpty() && target.document->undoStack()->count() == 0 &&
+                          !target.commands->hasUnsavedLesson();
+    if (isUnused) return start(fractals, target);
     const EntryId known =
         fractals.size() == 1 ? untouchedCopy(target.document->file(), fractals.front()) : EntryId::None;
     if (known == EntryId::None) return add(fractals, target);

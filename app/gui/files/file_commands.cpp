@@ -7,6 +7,7 @@
 #include "io/fractint/fractint_writer.h"
 #include "messages/placement_banner.h"
 #include "messages/save_question.h"
+#include "messages/written_banner.h"
 #include "panels/collage/collage_panel.h"
 #include "panels/collage/target_box.h"
 #include "panels/snapshots/snapshots.h"
@@ -28,6 +29,7 @@ constexpr qsizetype maxNamed = 6; // snapshots named in a question
 
 QString fileFilter() {
     return FileCommands::tr(
+        "Files with fractals (*.ifs *.par *.lesson *.flame *.flam3 *.csv *.tsv *.txt *.png *.svg);;"
         "Fractint collections (*.ifs *.par);;Flames (*.flame *.flam3);;Tables of numbers (*.csv *.tsv "
         "*.txt);;Pictures with an embedded fractal (*.png *.svg);;Lessons (*.lesson);;All files (*)");
 }
@@ -161,8 +163,12 @@ bool FileCommands::save() {
         m_context.messages->fail(tr("%1 was not saved").arg(m_file->name()), *failure);
         return false;
     }
-    reportSaved();
+    followFile(reportSaved());
     return true;
+}
+
+void FileCommands::followFile(const QString& sentence) {
+    if (m_lessons.follow) m_lessons.follow(sentence);
 }
 
 QString FileCommands::targetRemark() const {
@@ -172,7 +178,7 @@ QString FileCommands::targetRemark() const {
                : QString();
 }
 
-void FileCommands::reportSaved() {
+QString FileCommands::reportSaved() {
     QString sentence = tr("Saved %1.").arg(m_file->name());
     if (m_file->otherNames() > 0)
         sentence += u' ' + tr("Other names of the file (hard links) keep the old contents.");
@@ -186,6 +192,7 @@ void FileCommands::reportSaved() {
     if (!m_hasRemarkedOnPlacement)
         m_hasRemarkedOnPlacement =
             PlacementBanner::offer(m_context.window, *m_context.document, *m_context.messages);
+    return sentence;
 }
 
 bool FileCommands::saveAs() {
@@ -197,16 +204,17 @@ bool FileCommands::saveAs() {
             : m_file->path();
     const QString path = view::chooseFileToSave(m_context.window, tr("Save As"), suggestion,
                                                 tr("Fractint collections (*.ifs)"), QStringLiteral("ifs"));
-    return !path.isEmpty() && saveTo(path);
+    const std::optional<QString> saved = path.isEmpty() ? std::nullopt : saveTo(path);
+    if (saved) followFile(*saved);
+    return saved.has_value();
 }
 
-bool FileCommands::saveTo(const QString& path) {
+std::optional<QString> FileCommands::saveTo(const QString& path) {
     if (const io::Failure failure = m_file->saveAs(path)) {
         m_context.messages->fail(tr("%1 was not saved").arg(QFileInfo(path).fileName()), *failure);
-        return false;
+        return std::nullopt;
     }
-    reportSaved();
-    return true;
+    return reportSaved();
 }
 
 void FileCommands::saveForOtherPrograms() {
@@ -251,6 +259,8 @@ void FileCommands::saveForOtherPrograms() {
         sentence +=
             u' ' + tr("Other programs still draw these entries differently: %1.").arg(list(copy.left));
     m_context.messages->say(sentence);
+    WrittenBanner::offer(window, *m_context.document, path, tr("Copy saved"),
+                         tr("%1 was saved for other programs."));
 }
 
 void FileCommands::revert() {

@@ -3,6 +3,7 @@
 
 #include "desktop/preferences.h"
 #include "docks/panels.h"
+#include "document/lesson/shown_step.h"
 #include "document/text/unique_names.h"
 #include "files/file_commands.h"
 #include "files/open_file.h"
@@ -13,6 +14,7 @@
 #include "io/fractint/fractint_reader.h"
 #include "io/lesson/lesson_writer.h"
 #include "messages/save_question.h"
+#include "messages/written_banner.h"
 #include "panels/lesson/lesson_panel.h"
 #include "panels/lesson/lesson_print.h"
 #include "stage/stage.h"
@@ -30,6 +32,10 @@
 #include <QPointer>
 #include <QPushButton>
 #include <QScopedValueRollback>
+#include <QUndoStack>
+
+#include <optional>
+#include <utility>
 
 namespace {
 
@@ -157,6 +163,11 @@ void LessonCommands::createActions() {
     };
     connect(m_notebook, &view::LessonNotebook::changed, play, update);
     connect(m_player, &LessonPlayer::playingChanged, play, update);
+    connect(m_notebook->history(), &QUndoStack::cleanChanged, this, [this](bool isClean) {
+        if (m_dock)
+            m_dock->setWindowTitle(factsOf(Panel::Lesson).title +
+                                   (isClean ? QString() : QStringLiteral("*")));
+    });
     update();
 }
 
@@ -177,7 +188,10 @@ void LessonCommands::connectPanel() {
     });
     connect(m_panel, &LessonPanel::playRequested, this, &LessonCommands::play);
     connect(m_panel, &LessonPanel::saveRequested, this, [this] { save(); });
-    connect(m_notebook, &view::LessonNotebook::changed, this, [this] { m_isGivenUp = false; });
+    connect(m_notebook, &view::LessonNotebook::changed, this, [this] {
+        m_isGivenUp = false;
+        if (m_names.isEmpty()) m_names = namesOfEntries();
+    });
 }
 
 void LessonCommands::setFiles(FileCommands* commands, OpenFile* file) {
@@ -188,15 +202,38 @@ void LessonCommands::setFiles(FileCommands* commands, OpenFile* file) {
                               if (!m_player->isPlaying()) return false;
                               context().canvas->setHint(tr("End the lesson before you save (Esc)."));
                               return true;
-                          }});
+                          },
+                          [this](const QString& ofFile) { follow(ofFile); },
+                          [this] { return m_notebook->isModified() && !m_notebook->isEmpty(); }});
     connect(context().document, &document::Document::changed, this, [this](const document::Change& change) {
         if (change.parts & document::Change::File && !m_isOpening)
             QMetaObject::invokeMethod(
                 this, [this] { fileChanged(); }, Qt::QueuedConnection);
     });
+    connect(context().document, &document::Document::changed, this, &LessonCommands::followNames);
     connect(file, &OpenFile::pathChanged, this, [this] {
         if (!m_isOpening && m_filePath.isEmpty() && !m_notebook->isEmpty()) m_filePath = m_file->path();
     });
+}
+
+// An entry that is renamed stays the one that steps show.
+void LessonCommands::followNames(const document::Change& change) {
+    using document::Change;
+    if (m_names.isEmpty() || !(change.parts & (Change::Name | Change::Entries | Change::File))) return;
+    const QHash<document::EntryId, QString> before = std::exchange(m_names, namesOfEntries());
+    if (change.parts & Change::File) return;
+    for (auto name = m_names.cbegin(); name != m_names.cend(); ++name)
+        if (const auto old = before.constFind(name.key()); old != before.cend() && *old != *name)
+            m_notebook->followRenamed(*old, *name);
+}
+
+// As steps hold them; empty without a lesson.
+QHash<document::EntryId, QString> LessonCommands::namesOfEntries() const {
+    QHash<document::EntryId, QString> names;
+    if (m_notebook->isEmpty()) return names;
+    for (const document::Entry& entry : context().document->file().entries)
+        names.insert(entry.id, document::lessonLine(entry.fractal->name));
+    return names;
 }
 
 void LessonCommands::setPanels(const Panels& panels) {
@@ -269,7 +306,16 @@ bool LessonCommands::openWith(const QString& fractals, const QString& path, io::
     if (!adopt({path, fractals}, QFileInfo(path).fileName(), std::move(lesson))) return false;
     recent_files::add(path);
     showPanel();
+    showFirstEntry();
     return true;
+}
+
+// That of the step which is current in the list.
+void LessonCommands::showFirstEntry() {
+    const document::LessonStep* step = m_notebook->currentStep();
+    const document::Entry* entry =
+        step ? document::entryOf(context().document->file(), step->state) : nullptr;
+    if (entry) context().document->setCurrent(entry->id);
 }
 
 void LessonCommands::showPanel() {
@@ -425,8 +471,8 @@ bool LessonCommands::isReadyToSave() const {
 
 // The lesson refers to the file of its fractals. Those that have none yet get one of the same name, so that
 // only the lesson is asked for; a file that is there already is left alone.
-bool LessonCommands::saveFractalsBeside(const QString& lesson) {
-    if (!m_file->path().isEmpty()) return true;
+bool LessonCommands::saveWithFractals(const QString& lesson) {
+    if (!m_file->path().isEmpty()) return saveTo(lesson);
     const QFileInfo info(lesson);
     const QString base = info.dir().filePath(info.completeBaseName());
     QString path = base + QStringLiteral(".ifs");
@@ -434,13 +480,23 @@ bool LessonCommands::saveFractalsBeside(const QString& lesson) {
     for (int k = 2; k < mostTries && io::answerSoon([path] { return QFile::exists(path); }).value_or(true);
          ++k)
         path = QStringLiteral("%1-%2.ifs").arg(base).arg(k);
-    return m_commands->saveTo(path);
+    const std::optional<QString> saved = m_commands->saveTo(path);
+    return saved && saveTo(lesson, *saved);
+}
+
+// One command saves both, once it is known where the lesson belongs.
+void LessonCommands::follow(const QString& ofFile) {
+    if (m_notebook->isEmpty() || !m_notebook->isModified() || m_isGivenUp) return;
+    if (m_notebook->path().isEmpty())
+        context().messages->say(ofFile + u' ' + tr("The lesson is not saved yet: choose Save Lesson."));
+    else
+        saveTo(m_notebook->path(), ofFile);
 }
 
 bool LessonCommands::save() {
     const QString path = m_notebook->path();
     if (path.isEmpty()) return saveAs();
-    return isReadyToSave() && saveFractalsBeside(path) && saveTo(path);
+    return isReadyToSave() && saveWithFractals(path);
 }
 
 bool LessonCommands::saveAs() {
@@ -448,17 +504,20 @@ bool LessonCommands::saveAs() {
     const bool hasFile = !m_file->path().isEmpty();
     const QFileInfo fractals(m_file->path());
     QString suggestion = m_notebook->path();
-    if (suggestion.isEmpty())
-        suggestion = hasFile
-                         ? fractals.dir().filePath(fractals.completeBaseName() + QStringLiteral(".lesson"))
-                         : view::suggestedName(document::uniqueName({}, context().document->fractal().name),
-                                               QStringLiteral("lesson"));
+    if (suggestion.isEmpty()) {
+        const QString& title = m_notebook->lesson().title;
+        const QString name = !title.isEmpty() ? title
+                             : hasFile        ? fractals.completeBaseName()
+                                              : document::uniqueName({}, context().document->fractal().name);
+        const QString suggested = view::suggestedName(name, QStringLiteral("lesson"));
+        suggestion = hasFile ? fractals.dir().filePath(suggested) : suggested;
+    }
     const QString path = view::chooseFileToSave(m_parts.window, tr("Save Lesson"), suggestion,
                                                 tr("Lessons (*.lesson)"), QStringLiteral("lesson"));
-    return !path.isEmpty() && saveFractalsBeside(path) && saveTo(path);
+    return !path.isEmpty() && saveWithFractals(path);
 }
 
-bool LessonCommands::saveTo(const QString& path) {
+bool LessonCommands::saveTo(const QString& path, const QString& before) {
     const QString name = QFileInfo(path).fileName();
     const QString reference = referenceTo(m_file->path(), path);
     if (!document::isLessonFile(reference)) {
@@ -481,7 +540,8 @@ bool LessonCommands::saveTo(const QString& path) {
     m_notebook->markSaved(path);
     m_filePath = m_file->path();
     recent_files::add(path);
-    QString sentence = tr("Saved %1.").arg(name);
+    QString sentence = before.isEmpty() ? before : before + u' ';
+    sentence += tr("Saved %1.").arg(name);
     if (const QString previous = remarkOn(outcome, name); !previous.isEmpty()) sentence += u' ' + previous;
     if (context().document->isModified()) sentence += u' ' + tr("The fractals have unsaved changes.");
     context().messages->say(sentence);
@@ -500,7 +560,10 @@ void LessonCommands::addStep() {
 
 void LessonCommands::print() {
     view::printLesson(m_notebook->lesson(), context().document->file(), m_parts.window,
-                      [messages = context().messages](const QString& sentence) { messages->say(sentence); });
+                      [context = context()](const QString& sentence, const QString& path) {
+                          context.messages->say(sentence);
+                          WrittenBanner::offerPrinted(context.window, *context.document, path);
+                      });
 }
 
 void LessonCommands::play() {

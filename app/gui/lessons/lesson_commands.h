@@ -6,6 +6,8 @@
 #include "lessons/lesson_player.h"
 #include "panels/lesson/lesson_notebook.h"
 
+#include <QHash>
+
 class FileCommands;
 class OpenFile;
 class Panels;
@@ -58,12 +60,16 @@ private:
     bool save();
     bool saveAs();
     bool isReadyToSave() const;
-    bool saveFractalsBeside(const QString& lesson);
-    bool saveTo(const QString& path);
+    bool saveWithFractals(const QString& lesson);
+    bool saveTo(const QString& path, const QString& before = {}); // says what has been said `before` again
+    void follow(const QString& ofFile);                           // when the fractals have been saved
+    void showFirstEntry();
     void addStep();
     void play();
     void print();
     void fileChanged();
+    void followNames(const document::Change& change);
+    QHash<document::EntryId, QString> namesOfEntries() const;
     bool isUnused() const;
 
     LessonParts m_parts;
@@ -73,8 +79,9 @@ private:
     QDockWidget* m_dock = nullptr;
     FileCommands* m_commands = nullptr;
     OpenFile* m_file = nullptr;
-    QString m_builtIn;        // name of the open lesson of the program; empty otherwise
-    QString m_filePath;       // path of the lesson's file of fractals
-    bool m_isGivenUp = false; // true if the user discards the unsaved steps
+    QHash<document::EntryId, QString> m_names; // namesOfEntries() before the next change
+    QString m_builtIn;                         // name of the open lesson of the program; empty otherwise
+    QString m_filePath;                        // path of the lesson's file of fractals
+    bool m_isGivenUp = false;                  // true if the user discards the unsaved steps
     bool m_isOpening = false;
 };

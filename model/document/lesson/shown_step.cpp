@@ -28,7 +28,9 @@ ShownStep withCageAndColours(const LessonState& state, const Fractal& entry) {
 
 ShownStep shownIn(const LessonState& state, const Fractal& entry) {
     if (!animationFacts(entry)) return withCageAndColours(state, entry);
-    return withCageAndColours(state, frameAt(entry, state.moment.value_or(animation::Moment())).fractal);
+    AnimatedFrame frame = frameAt(entry, state.moment.value_or(animation::Moment()));
+    frame.fractal.lasting = lastingCage(entry);
+    return withCageAndColours(state, frame.fractal);
 }
 
 } // namespace document

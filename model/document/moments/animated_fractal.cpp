@@ -2,6 +2,7 @@
 #include "document/moments/animated_fractal.h"
 
 #include "document/fractal/fractal_geometry.h"
+#include "document/fractal/space_geometry.h"
 #include "ifs/links/linked_existence.h"
 
 #include <algorithm>
@@ -121,6 +122,14 @@ AnimatedFrame frameAt(const Fractal& fractal, const animation::Moment& moment) {
     if (plane(fractal)) return frameOf<2>(fractal, moment);
     if (space(fractal)) return frameOf<3>(fractal, moment);
     return {fractal};
+}
+
+LastingCage lastingCage(const Fractal& entry) {
+    const auto* flat = plane(entry);
+    const auto* solid = space(entry);
+    if (flat && !flat->cage) return LastingCage(effectiveCage(entry));
+    const bool isQuick = solid && solid->system.maps.size() <= manyMapsInSpace;
+    return isQuick && !solid->cage ? LastingCage(*spaceCage(entry)) : LastingCage();
 }
 
 animation::Look lookOf(const Fractal& fractal) {

@@ -36,6 +36,10 @@ struct AnimatedFrame {
 // A fractal that is not animated is the same at every moment.
 AnimatedFrame frameAt(const Fractal& fractal, const animation::Moment& moment);
 
+// The cage of an entry that stores none, to be kept at all moments and during a gesture; none where it takes
+// long to be found.
+LastingCage lastingCage(const Fractal& entry);
+
 // The look as a key stores it; in space with the appearance there.
 animation::Look lookOf(const Fractal& fractal);
 Fractal withLook(Fractal fractal, const animation::Look& look);

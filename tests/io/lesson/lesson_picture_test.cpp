@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include "document/document.h"
 #include "document/edits/cage/cage_edits.h"
 #include "document/fractal/fractal_geometry.h"
 #include "document/lesson/shown_step.h"
+#include "document/moments/animated_fractal.h"
 #include "io/fractint/fractint_reader.h"
 #include "io/lesson/lesson_picture.h"
 #include "io/lesson/lesson_reader.h"
@@ -68,6 +70,27 @@ private slots:
         state.construction.points = 200;
         const int more = inked(io::lessonPicture(triangle(), state, size));
         QVERIFY(more > 100 && more <= 200);
+    }
+
+    // As in the window, where the cage stays while the maps move.
+    void theCageOfWhatMovesStays() {
+        document::Fractal entry = document::sierpinskiTriangle();
+        const ifs::WeightedMap<2> first = document::system2(entry)->maps.front();
+        ifs::AffineMap<2> turned = first.map;
+        turned.linear *= -1;
+        animation::Animation<2> animation;
+        animation.length = 10;
+        animation.maps = {{first.id, {{0, {first.map, 1}, {}}, {10, {turned, 1}, {}}}}};
+        document::plane(entry)->animation = animation;
+        document::Document document;
+        document.setFile(document::fileOf(entry));
+        LessonState state;
+        state.moment = animation::moment(5);
+        document.setMoment(*state.moment);
+        const auto cage = document::effectiveCage(document::shownIn(state, document.entryFractal()).fractal);
+        QVERIFY(cage.current == document::effectiveCage(document.fractal()).current);
+        const auto atTheMoment = document::frameAt(document.entryFractal(), *state.moment).fractal;
+        QVERIFY(cage.current != document::effectiveCage(atTheMoment).current);
     }
 
     // A picture stands still: a game that has just begun would show nothing.

@@ -73,6 +73,13 @@ void LessonNotebook::setFile(const QString& name) {
     m_lesson.file = name;
 }
 
+void LessonNotebook::followRenamed(const QString& before, const QString& now) {
+    Page after = page();
+    for (document::LessonStep& step : after.lesson.steps)
+        if (step.state.entry == before) step.state.entry = now;
+    if (!(after.lesson == m_lesson)) push(tr("Rename entry"), std::move(after));
+}
+
 void LessonNotebook::moveTo(const QString& name) {
     setFile(name);
     m_history.resetClean();

@@ -39,6 +39,7 @@ public:
     void setState(const document::LessonState& state);
     void setStepTitle(const QString& title);
     void setText(const QString& text);
+    void followRenamed(const QString& before, const QString& now); // an entry that steps show
     void removeStep();
     void moveStep(int by);
 

@@ -23,7 +23,6 @@ namespace view {
 
 namespace {
 
-constexpr double paperMargin = 15; // millimetres, for printers and hole punches
 constexpr QSize pictureSize(1200, 900);
 constexpr int linesOnSheet = 62;
 constexpr double pictureShare = 0.34; // share of the height of the page
@@ -135,7 +134,7 @@ void paintLesson(QPainter& painter, const QRectF& page, const document::Lesson& 
 }
 
 void printLesson(const document::Lesson& lesson, const document::FractalFile& file, QWidget* parent,
-                 const std::function<void(const QString&)>& said) {
+                 const PrintSaid& said) {
     const QList<QImage> pictures = picturesOf(lesson, file, parent);
     if (pictures.isEmpty()) return;
     const auto paint = [lesson, pictures](QPainter& painter, const QRectF& page,
@@ -143,8 +142,7 @@ void printLesson(const document::Lesson& lesson, const document::FractalFile& fi
         paintLesson(painter, page, lesson, pictures, newPage);
     };
     const QString name = lesson.title.isEmpty() ? Text::tr("Lesson") : lesson.title;
-    showPrintPreview({Text::tr("Print “%1”").arg(name), document::fileNamePart(name), paperMargin, paint},
-                     parent, said);
+    showPrintPreview({Text::tr("Print “%1”").arg(name), document::fileNamePart(name), paint}, parent, said);
 }
 
 } // namespace view
