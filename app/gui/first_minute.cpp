@@ -10,6 +10,7 @@
 #include "document/edits/timeline/motion_edits.h"
 #include "document/moments/animated_fractal.h"
 #include "messages/first_chips.h"
+#include "messages/tour.h"
 
 #include <QAction>
 #include <QApplication>
@@ -119,7 +120,8 @@ void FirstMinute::follow(const document::Change& change) {
 void FirstMinute::showChips() {
     const QString shown = QStringLiteral("hints/firstChips");
     const bool isCancelled = !m_parts.document->isModified();
-    if (isCancelled || view::stored(shown, false).toBool()) return;
+    const bool isLed = m_parts.window->findChild<Tour*>() != nullptr; // who says what to try next
+    if (isCancelled || isLed || view::stored(shown, false).toBool()) return;
     view::store(shown, true);
     view::store(seenKey(), true);
     m_parts.canvas->dismissHint();

@@ -49,7 +49,7 @@ Welcome::Welcome(MainWindow* host) : MessageBanner(host) {
     constexpr int besideText = 2 * margin + 48;
     for (const QString& path : recent_files::list().mid(0, maxFiles)) {
         const QString folder =
-            fontMetrics().elidedText(folderOf(path), Qt::ElideMiddle, maxWidth - besideText);
+            fontMetrics().elidedText(folderOf(path), Qt::ElideMiddle, widest() - besideText);
         auto* file = new QCommandLinkButton(QFileInfo(path).fileName().replace(u'&', QStringLiteral("&&")),
                                             folder, this);
         file->setIcon(view::icon(QStringLiteral("open")));

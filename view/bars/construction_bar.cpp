@@ -64,6 +64,7 @@ ConstructionBar::ConstructionBar(Construction* construction, QWidget* parent)
         made->setToolTip(tip);
         made->setCheckable(true);
         made->setAutoRaise(true);
+        made->setMinimumWidth(fewLetters * fontMetrics().averageCharWidth()); // its words are elided
         m_modes->addButton(made, int(mode));
         layout->addWidget(made);
     }
@@ -114,6 +115,7 @@ QWidget* ConstructionBar::makeChaosGame() {
                              "die shows each map that is rolled."));
     for (const int speed : {1, 10, 100, 1'000, 10'000, 100'000})
         addChoice(m_speed, tr("%1/s", "jumps per second").arg(groupedNumber(speed)), double(speed));
+    m_speed->setMinimumWidth(fewLetters * fontMetrics().averageCharWidth());
     chooseValue(m_speed, m_construction->speed());
     m_die = new Die(page);
     m_count = new ElidedLabel(page);

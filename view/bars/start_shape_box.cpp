@@ -34,6 +34,8 @@ StartShapeBox::StartShapeBox(StepsBridge* steps, QWidget* parent)
     m_choice->setWhatsThis(tr("What the steps start from. Whatever you choose, the images get closer to the "
                               "same attractor: a square, a letter that you type, or the dark shape in a "
                               "picture, each as large as the attractor."));
+    constexpr int fewLetters = 8; // in a narrow window
+    m_choice->setMinimumWidth(fewLetters * fontMetrics().averageCharWidth());
     m_letter->setMaxLength(maxLetters);
     m_letter->setText(steps->letter());
     m_letter->setAccessibleName(tr("Letters to start from"));

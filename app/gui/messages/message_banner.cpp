@@ -81,8 +81,13 @@ QPoint MessageBanner::topLeft() {
     return {canvasRect().left() + margin, canvasRect().bottom() - hintHeight - height()};
 }
 
+int MessageBanner::widest() const {
+    constexpr int usual = 340, usualDpi = 96;
+    return usual * std::max(logicalDpiX(), usualDpi) / usualDpi;
+}
+
 int MessageBanner::widthFor(int room) const {
-    return std::min(maxWidth, room);
+    return std::min(widest(), room);
 }
 
 void MessageBanner::layOut() {

@@ -17,7 +17,6 @@ class MessageBanner : public QFrame {
     Q_OBJECT
 
 public:
-    static constexpr int maxWidth = 340;
     static constexpr int margin = 16;     // pixels inside, and from the edge of the canvas
     static constexpr int hintHeight = 56; // pixels kept free at the bottom of the canvas, for its hints
 
@@ -43,6 +42,7 @@ protected:
     void appear(const QString& announcement);
     QMainWindow* host() const { return m_host; }
     QRect canvasRect() const;             // coordinates of the window
+    int widest() const;                   // pixels; large letters need more
     virtual int widthFor(int room) const; // width of the banner if the canvas is `room` wide
     virtual QPoint topLeft();             // corner of the banner, in coordinates of the window
     template <class Banner> static void closeOthers(const QMainWindow* window) {

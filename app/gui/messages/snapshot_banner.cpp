@@ -14,7 +14,7 @@ SnapshotBanner::SnapshotBanner(QMainWindow* host, view::SnapshotLook* look, view
     const view::Snapshot shown = *look->shown();
     QLabel* title = createTitle();
     title->setText(
-        title->fontMetrics().elidedText(tr("B: %1").arg(shown.name), Qt::ElideRight, maxWidth - 2 * margin));
+        title->fontMetrics().elidedText(tr("B: %1").arg(shown.name), Qt::ElideRight, widest() - 2 * margin));
     title->setToolTip(title->text());
     auto* back = new QPushButton(tr("Back to the Fractal"), this);
     back->setWhatsThis(tr("Shows the fractal again. Nothing has changed."));

@@ -4,7 +4,9 @@
 #include "canvas/canvas_view.h"
 #include "canvas/geometry/canvas_geometry.h"
 #include "dialogs/export/export_shell.h"
+#include "document/fractal/fractal.h"
 #include "document/moments/animated_fractal.h"
+#include "ifs/system/affine_map.h"
 #include "panels/maps/maps_panel.h"
 #include "panels/timeline/timeline_panel.h"
 
@@ -32,7 +34,7 @@ namespace {
 constexpr int gap = 3; // pixels between the frame and its target
 
 // Action that completes a step.
-enum class Deed { Drag, Squeeze, Undo, Open, Move, Export, GoOn, EditMap, ChooseBranch };
+enum class Deed { Drag, Squeeze, Undo, Open, Move, Export, GoOn, EditMap, ChooseBranch, Contract, End };
 
 struct Step {
     Deed deed;
@@ -76,16 +78,28 @@ constexpr Step steps[] = {
      QT_TRANSLATE_NOOP("Tour", "Address"),
      QT_TRANSLATE_NOOP("Tour", "Click a point: the maps that lead there are its address, and you hold the "
                                "branch that they make.")},
-    {Deed::EditMap, Panel::Maps, QT_TRANSLATE_NOOP("Tour", "Norm"),
+    {Deed::Contract, Panel::Maps, QT_TRANSLATE_NOOP("Tour", "Norm"),
      QT_TRANSLATE_NOOP("Tour",
                        "‖A‖ is how far a map stretches at most: change a number, and keep it below 1."),
      view::MapsModel::Contraction},
+    {Deed::End,
+     {},
+     QT_TRANSLATE_NOOP("Tour", "That Is All"),
+     QT_TRANSLATE_NOOP("Tour", "Now take whatever you like by its corners.")},
 };
 constexpr int stepCount = int(std::size(steps));
+constexpr int last = stepCount - 1; // the card that only says goodbye
 
 // Where something moves already, the timeline shows that instead of motions to choose from.
 constexpr auto windOverTracks = QT_TRANSLATE_NOOP(
     "Tour", "In the timeline, choose Wind under Add Motion and watch the picture sway as well.");
+
+// After the squeeze, one step back is the flat picture.
+constexpr auto undoOnceMore = QT_TRANSLATE_NOOP("Tour", "Press Ctrl+Z once more: the picture is still flat.");
+
+// Where the user has closed the panel of the step.
+constexpr auto panelIsClosed =
+    QT_TRANSLATE_NOOP("Tour", "Open the panel %1 again: it is under View › Panels.");
 
 // A frame that lets every click through.
 class Mark : public QWidget {
@@ -152,7 +166,7 @@ Tour::Tour(QMainWindow* host, document::Document* document, const Panels& panels
 
     connect(m_back, &QPushButton::clicked, this, [this] { showStep(m_step - 1); });
     connect(m_next, &QPushButton::clicked, this, [this] {
-        if (m_step + 1 < stepCount)
+        if (m_step < last)
             showStep(m_step + 1);
         else
             close();
@@ -160,6 +174,10 @@ Tour::Tour(QMainWindow* host, document::Document* document, const Panels& panels
     connect(m_close, &QPushButton::clicked, this, &QWidget::close);
     connectDeeds();
     follow(host->centralWidget()); // whose room the timeline takes
+    for (const Step& step : steps)
+        if (const QDockWidget* dock = step.target ? m_panels.dock(*step.target) : nullptr)
+            connect(dock, &QDockWidget::visibilityChanged, this, &Tour::tellStep,
+                    Qt::ConnectionType(Qt::QueuedConnection | Qt::UniqueConnection));
     if (const auto* canvas = host->findChild<view::CanvasView*>())
         m_found = {canvas->tool(), canvas->options().overlaysVisible()};
 }
@@ -169,7 +187,9 @@ void Tour::connectDeeds() {
     m_index = m_document->undoStack()->index();
     connect(m_document->undoStack(), &QUndoStack::indexChanged, this, [this](int index) {
         const bool isBack = index < std::exchange(m_index, index);
-        if (isBack && steps[m_step].deed == Deed::Undo) done(m_step);
+        if (!isBack || steps[m_step].deed != Deed::Undo) return;
+        m_hasUndone = true;
+        isFlat() ? tellStep() : done(m_step);
     });
     const auto step = [this](Deed deed) {
         if (steps[m_step].deed == deed) done(m_step);
@@ -208,6 +228,7 @@ void Tour::followDocument(const document::Change& change) {
     if (!(change.parts & Change::Time))
         QMetaObject::invokeMethod(this, &Tour::tellStep, Qt::QueuedConnection); // once all have followed
     const bool isOther = change.parts & (Change::Current | Change::File);
+    const bool isEdited = change.parts & Change::System && !(change.parts & Change::Time) && !isOther;
     const bool isMade = [&] {
         switch (steps[m_step].deed) {
         case Deed::Drag:
@@ -220,7 +241,9 @@ void Tour::followDocument(const document::Change& change) {
             return change.parts & Change::Animation &&
                    document::animationFacts(m_document->entryFractal()).has_value();
         case Deed::EditMap:
-            return change.parts & Change::System && !(change.parts & Change::Time) && !isOther;
+            return isEdited;
+        case Deed::Contract:
+            return isEdited && isContracting();
         default:
             return false;
         }
@@ -234,10 +257,7 @@ void Tour::done(int step) {
         this,
         [this, step] {
             if (m_step != step) return;
-            if (step + 1 < stepCount)
-                showStep(step + 1);
-            else
-                close();
+            showStep(step + 1);
         },
         Qt::QueuedConnection);
 }
@@ -258,6 +278,16 @@ bool Tour::isFlat() const {
     return std::abs(doubledArea) < 2 * flat * longest;
 }
 
+bool Tour::isContracting() const {
+    const auto contracts = []<int Dim>(const ifs::IteratedFunctionSystem<Dim>* system) {
+        return system != nullptr && std::ranges::all_of(system->maps, [](const ifs::WeightedMap<Dim>& each) {
+                   return !each.enabled || ifs::spectralNorm<Dim>(each.map.linear) < 1;
+               });
+    };
+    const document::Fractal& fractal = m_document->fractal();
+    return contracts(document::system2(fractal)) || contracts(document::system3(fractal));
+}
+
 Tour::~Tour() {
     leaveStep();
     delete m_mark;
@@ -276,7 +306,7 @@ void Tour::keepSize() {
     m_next->setMinimumWidth(std::max({widthOf(tr("&Skip")), widthOf(tr("&Go On")), widthOf(tr("&Done"))}) +
                             2 * margin);
     int tallest = 0;
-    const QRect column(0, 0, maxWidth - 2 * margin, 10'000);
+    const QRect column(0, 0, widthFor(canvasRect().width() - 2 * margin) - 2 * margin, 10'000);
     QStringList texts{tr(windOverTracks)};
     for (const Step& each : steps)
         texts << tr(each.text);
@@ -343,29 +373,30 @@ void Tour::point(int step) {
 void Tour::showStep(int step) {
     leaveStep();
     m_step = step;
-    m_wasFlat = false;
-    const bool asks = step == rest;
+    m_wasFlat = m_hasUndone = false;
+    const bool asks = step == rest; // whether to go on
+    const bool isStep = !asks && step < last;
     m_title->setText(tr(steps[step].title));
     point(step);
     m_text->setText(textOf(step));
     if (m_target) follow(m_target.data());
     const bool isHand = step < handSteps;
-    m_progress->setText(asks ? QString()
-                             : tr("%1 of %2")
-                                   .arg(isHand ? step + 1 : step - rest)
-                                   .arg(isHand ? handSteps : stepCount - rest - 1));
+    m_progress->setText(
+        isStep ? tr("%1 of %2").arg(isHand ? step + 1 : step - rest).arg(isHand ? handSteps : last - rest - 1)
+               : QString());
     m_back->setVisible(step > 0);
     keepSize();
-    m_next->setObjectName(QLatin1String(asks ? "go-on" : step + 1 == stepCount ? "done" : "skip"));
-    m_next->setText(asks ? tr("&Go On") : step + 1 == stepCount ? tr("&Done") : tr("&Skip"));
+    m_next->setObjectName(QLatin1String(asks ? "go-on" : step == last ? "done" : "skip"));
+    m_next->setText(asks ? tr("&Go On") : step == last ? tr("&Done") : tr("&Skip"));
     m_close->setText(tr("Close"));
-    m_close->setVisible(step + 1 < stepCount);
-    m_mark->setVisible(m_target != nullptr && !asks);
+    m_close->setVisible(step < last);
     appear(m_text->text());
     if (m_target == host()->findChild<view::CanvasView*>()) m_target->setFocus(); // the hand is needed there
 }
 
 QString Tour::textOf(int step) const {
+    if (isAtPanel() && m_target->isHidden()) return tr(panelIsClosed).arg(m_target->windowTitle());
+    if (steps[step].deed == Deed::Undo && m_hasUndone && isFlat()) return tr(undoOnceMore);
     const auto* timeline = host()->findChild<view::TimelinePanel*>();
     const bool isMoving = steps[step].deed == Deed::Move && timeline && timeline->showsTracks();
     return tr(isMoving ? windOverTracks : steps[step].text);
@@ -380,8 +411,8 @@ void Tour::tellStep() {
     appear(text);
 }
 
-// The number of handles of the cage that the banner would cover at that place; more where it would cover the
-// panel that the step speaks of.
+// The number of handles of the cage that the banner would cover at that place; more where it would leave the
+// canvas, and most where it would cover the panel that the step speaks of.
 int Tour::coveredAt(const QPoint& place) const {
     constexpr int reach = 40; // of a corner, with the round handle beside it
     const QRect card = QRect(place, size());
@@ -393,8 +424,10 @@ int Tour::coveredAt(const QPoint& place) const {
     const QRect around = card.adjusted(-reach, -reach, reach, reach);
     const auto covered =
         std::ranges::count_if(handles, [&](const QPoint& handle) { return around.contains(handle); });
-    const bool isFree = card.top() >= canvasRect().top() && !(isAtPanel() && card.intersects(pointed()));
-    return int(covered + (isFree ? 0 : std::ssize(handles) + 1));
+    const auto all = std::ssize(handles) + 1;
+    const auto outside = canvasRect().contains(card) ? 0 : all;
+    const auto overPanel = isAtPanel() && card.intersects(pointed()) ? 2 * all : 0;
+    return int(covered + outside + overPanel);
 }
 
 // Beside each other from the upper right corner on: there the notes of the canvas are not.
@@ -406,10 +439,20 @@ QPoint Tour::freePlace() const {
     const int bottom = room.bottom() - hintHeight - height();
     const int middle = room.center().x() - width() / 2;
     const int centre = room.center().y() - height() / 2;
+    // Where the canvas has no room, those of the window.
+    const int last = host()->width() - margin - width();
+    const int low = host()->height() - margin - height();
     const std::array places{QPoint(right, top),     QPoint(left, top),     QPoint(left, bottom),
                             QPoint(right, bottom),  QPoint(right, centre), QPoint(left, centre),
-                            QPoint(middle, bottom), QPoint(middle, top)};
+                            QPoint(middle, bottom), QPoint(middle, top),   QPoint(last, top),
+                            QPoint(margin, top),    QPoint(last, low),     QPoint(margin, low)};
     return std::ranges::min(places, {}, [this](const QPoint& place) { return coveredAt(place); });
+}
+
+// Panels are covered before words are cut.
+int Tour::widthFor(int room) const {
+    const int least = std::min(3 * widest() / 4, host()->width() - 2 * margin);
+    return std::clamp(room, least, std::max(least, widest()));
 }
 
 QRect Tour::pointed() const {
@@ -424,6 +467,7 @@ bool Tour::isAtPanel() const {
 // stay under the pointer.
 QPoint Tour::topLeft() {
     if (!m_target) return MessageBanner::topLeft();
+    m_mark->setVisible(m_step != rest && m_step != last && !m_target->visibleRegion().isEmpty());
     m_mark->setGeometry(pointed().adjusted(-gap, -gap, gap, gap).intersected(host()->rect()));
     m_mark->raise();
     // Room without the bars, which may take some of its height.

@@ -13,10 +13,10 @@
 
 class QPushButton;
 
-// Six short steps in the window itself, then three about what lies behind them: a banner with one sentence
-// says what to do, a frame is around the place to do it, and the next step comes when it is done. Nothing is
-// locked meanwhile. Deletes itself when closed; tool, panels and columns that the tour chose are then as
-// before.
+// Six short steps in the window itself, then three about what lies behind them, and a goodbye: a banner with
+// one sentence says what to do, a frame is around the place to do it, and the next step comes when it is
+// done. Nothing is locked meanwhile. Deletes itself when closed; tool, panels and columns that the tour chose
+// are then as before.
 class Tour : public MessageBanner {
     Q_OBJECT
 
@@ -30,6 +30,7 @@ public:
     QWidget* target() const { return m_target; }
 
 protected:
+    int widthFor(int room) const override;
     QPoint topLeft() override;
     void closeEvent(QCloseEvent* event) override;
 
@@ -53,7 +54,8 @@ private:
     QString textOf(int step) const;
     void bringBack(); // what the steps have changed to be seen
     int coveredAt(const QPoint& place) const;
-    bool isFlat() const; // the cage
+    bool isFlat() const;        // the cage
+    bool isContracting() const; // every map that is on
 
     document::Document* m_document;
     Panels m_panels;
@@ -62,6 +64,7 @@ private:
     int m_step = -1;
     bool m_isDragging = false;
     bool m_wasFlat = false;
+    bool m_hasUndone = false;
     int m_index = 0;             // in the history
     std::array<int, 4> m_room{}; // for which the place was chosen
     struct Found {

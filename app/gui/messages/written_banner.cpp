@@ -24,7 +24,7 @@ WrittenBanner::WrittenBanner(QMainWindow* host, const document::Document& docume
     auto* closeNow = new QPushButton(tr("Close"), this);
     const QString name = QFileInfo(path).fileName();
     // Elided, because a name is a single word, which is never broken.
-    const QString shown = fontMetrics().elidedText(name, Qt::ElideMiddle, maxWidth - 3 * margin);
+    const QString shown = fontMetrics().elidedText(name, Qt::ElideMiddle, widest() - 3 * margin);
     lay(createTitle(title), sentence.arg(shown), folder, closeNow);
     connect(folder, &QPushButton::clicked, this, [path] { view::showInFolder(path); });
     connect(closeNow, &QPushButton::clicked, this, &QWidget::close);
@@ -32,4 +32,9 @@ WrittenBanner::WrittenBanner(QMainWindow* host, const document::Document& docume
         if (change.parts != document::Change::Parts(document::Change::Current)) this->close();
     });
     appear(sentence.arg(name));
+}
+
+void WrittenBanner::offerPrinted(QMainWindow* window, const document::Document& document,
+                                 const QString& path) {
+    if (!path.isEmpty()) offer(window, document, path, tr("Printed to a file"), tr("%1 was written."));
 }

@@ -14,6 +14,9 @@ public:
     static void offer(QMainWindow* window, const document::Document& document, const QString& path,
                       const QString& title, const QString& sentence);
 
+    // After something was printed to a file; nothing where the path is empty.
+    static void offerPrinted(QMainWindow* window, const document::Document& document, const QString& path);
+
 private:
     WrittenBanner(QMainWindow* host, const document::Document& document, const QString& path,
                   const QString& title, const QString& sentence);
