@@ -17,7 +17,6 @@
 #include <QGuiApplication>
 #include <QMessageBox>
 #include <QPushButton>
-#include <QUndoStack>
 
 #include <utility>
 
@@ -39,7 +38,9 @@ CanvasView::CanvasView(document::Document* document, RenderBridge* bridge, QWidg
       m_options(*m_scene),
       m_navigation(*m_scene, *bridge, *viewport()),
       m_tools(*m_scene, m_options),
-      m_input(*m_scene, m_tools, m_navigation, m_options) {
+      m_input(*m_scene, m_tools, m_navigation, m_options),
+      m_corners(document, {[this] { return areCornersInView(); }, [this] { return wasShown(); },
+                           [this] { return hasFocus() || m_input.isHolding(); }, [this] { fit(); }}) {
     setUpWidget();
     connectParts();
     adoptDesktop();
@@ -105,8 +106,7 @@ void CanvasView::connectParts() {
     connect(&m_tools, &Toolbox::definingRefused, this, &CanvasView::offerReset);
     connect(this, &CanvasView::message, this, [this] { m_said.clear(); });
     connect(&m_navigation, &CanvasNavigation::zoomed, this, &CanvasView::dismissHint);
-    connect(&m_navigation, &CanvasNavigation::cameraChanged, this,
-            [this] { m_wereCornersInView = areCornersInView(); });
+    connect(&m_navigation, &CanvasNavigation::cameraChanged, this, [this] { m_corners.look(); });
     connect(&m_navigation, &CanvasNavigation::cameraChanged, &m_input, &CanvasInput::reportAgain,
             Qt::QueuedConnection); // queued behind all other reactions
     connect(&m_scene->handles(), &HandleModel::addressesFound, &m_input, &CanvasInput::reportAgain);
@@ -168,33 +168,11 @@ void CanvasView::followDocument(const document::Change& change) {
     if (const auto& view = m_document->view();
         view && wasShown() && (isAnother || change.parts & Change::Time))
         m_navigation.moveTo(attractor::cameraOf(*view, {viewport()->width(), viewport()->height()}));
-    keepCornersInView(change);
+    m_corners.follow(change, this);
 }
 
 bool CanvasView::areCornersInView() const {
     return borderArrows(m_scene->cagePolygon(), m_scene->sceneRect()).empty();
-}
-
-// A command that takes corners out of a view that showed them all fits the view. A drag may leave it: the
-// hand wants so.
-void CanvasView::keepCornersInView(const document::Change& change) {
-    using document::Change;
-    if (!(change.parts & (Change::Cage | Change::System)) || change.parts & Change::Time) return;
-    const bool wasDragged = std::exchange(m_isDragged, change.live);
-    const bool isCommand = !wasDragged && !change.live && !(change.parts & (Change::Current | Change::File));
-    const bool leave = std::exchange(m_wereCornersInView, areCornersInView()) && !m_wereCornersInView;
-    if (!isCommand || !wasShown() || !leave) return;
-    // Undo and redo restore their own views; queued, because the history will then know which one.
-    const QUndoStack& history = *m_document->undoStack();
-    const int index = history.index();
-    QMetaObject::invokeMethod(
-        this,
-        [this, index, redone = history.command(index)] {
-            const QUndoStack& now = *m_document->undoStack();
-            const bool isNew = now.index() > index && now.command(now.index() - 1) != redone;
-            if (isNew && !areCornersInView()) fit();
-        },
-        Qt::QueuedConnection);
 }
 
 // Cage and picture move together: in a gesture or at another moment nothing is painted until the picture has

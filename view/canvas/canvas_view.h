@@ -2,6 +2,7 @@
 #pragma once
 
 #include "canvas/canvas_input.h"
+#include "gestures/corners_in_view.h"
 #include "gestures/viewport.h"
 
 #include <QImage>
@@ -74,7 +75,6 @@ private:
     void connectParts();
     void followDocument(const document::Change& change);
     bool areCornersInView() const;
-    void keepCornersInView(const document::Change& change);
     void holdPainting();
     void paintAgain();
     void offerReset();
@@ -88,8 +88,7 @@ private:
     CanvasNavigation m_navigation;
     Toolbox m_tools;
     CanvasInput m_input;
-    bool m_wereCornersInView = true; // state after the last change of the cage
-    bool m_isDragged = false;        // true while a gesture moves the cage
+    CornersInView m_corners;
     QTimer m_hold;                   // running while painting waits for a frame
     QString m_said;                  // text about the part with the focus, while the status bar shows it
 };

@@ -65,6 +65,9 @@ SpaceView::SpaceView(document::Document* document, SolidBridge* bridge, QWidget*
       m_input(document, m_navigation,
               {*m_cageItem, m_maps, m_branch, *m_mapItem, m_definition, *m_slice, *m_symmetry, *m_ball,
                *m_arrows}),
+      m_corners(document,
+                {[this] { return areCornersInView(); }, [this] { return wasShown(); },
+                 [this] { return hasFocus() || m_input.isHolding(); }, [this] { m_navigation.fit(); }}),
       m_around(cornersOfCut(document->fractal())),
       m_orbit(document->orbit()) {
     showScene(new QGraphicsScene(this)); // owner of the items
@@ -85,7 +88,10 @@ SpaceView::SpaceView(document::Document* document, SolidBridge* bridge, QWidget*
         }
         showNote();
     });
-    connect(&m_navigation, &SpaceNavigation::changed, this, &SpaceView::layOut);
+    connect(&m_navigation, &SpaceNavigation::changed, this, [this] {
+        layOut();
+        m_corners.look();
+    });
     connect(&m_navigation, &SpaceNavigation::changed, &m_input, &SpaceInput::reportAgain,
             Qt::QueuedConnection);
     followInput();
@@ -232,6 +238,7 @@ void SpaceView::followDocument(const document::Change& change) {
         followFractal(change);
     if (change.parts & (Change::Current | Change::File | Change::System)) showNote();
     followCamera(change);
+    m_corners.follow(change, this);
 }
 
 void SpaceView::followFractal(const document::Change& change) {
@@ -268,6 +275,11 @@ void SpaceView::lookAsKeyed(bool isMoving) {
     const auto& camera = m_document->camera();
     if (!camera || isFixed()) return;
     m_navigation.followKeys(animation::orbited(*camera, m_document->orbit()), isMoving);
+}
+
+bool SpaceView::areCornersInView() const {
+    return !m_cage || isFixed() ||
+           borderArrows(m_cageItem->handles(), {QPointF(), QSizeF(viewport()->size())}).empty();
 }
 
 void SpaceView::setOverlaysVisible(bool visible) {

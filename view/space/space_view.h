@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "gestures/corners_in_view.h"
 #include "gestures/viewport.h"
 #include "space/solid_item.h"
 #include "space/space_input.h"
@@ -69,6 +70,7 @@ private:
     void followFractal(const document::Change& change);
     void followCamera(const document::Change& change);
     void lookAsKeyed(bool isMoving); // no effect without keys of the camera
+    bool areCornersInView() const;
     void layOut();
     void layOutSlice();
     bool areOverlaysShown() const;
@@ -101,6 +103,7 @@ private:
     SpaceBranch m_branch;
     SpaceDefinition m_definition;
     SpaceInput m_input;
+    CornersInView m_corners;
     std::optional<ifs::ControlCage<3>> m_cage;  // present cage; nullopt if the entry is not in space
     SpaceCageItem::Faces m_faces;               // faces of the cage
     std::vector<ifs::Vector<3>> m_around;       // corners of the box around the sliced set

@@ -24,11 +24,13 @@
 #include "stage/stage.h"
 
 #include <QClipboard>
+#include <QCoreApplication>
 #include <QFileInfo>
 #include <QGuiApplication>
 #include <QPointer>
 #include <QPushButton>
 
+#include <algorithm>
 #include <optional>
 
 ExportMenu::ExportMenu(const MenuContext& context, FileCommands* commands, const OpenFile* file)
@@ -93,10 +95,25 @@ template <class Dialog> void closeIdle(const QWidget& window) {
         if (!dialog->isBusy()) dialog->close();
 }
 
-// The format that was typed to find the command, if it was a mesh.
+// What was typed to find the command.
+QString searched(const QAction& action) {
+    return action.property(view::searchedWords).toString().toLower();
+}
+
 std::optional<io::MeshFormat> searchedMesh(const QAction& action) {
-    const QString words = action.property(view::searchedWords).toString().toLower();
-    return ifs::named<io::MeshFormat>(words.toStdString());
+    return ifs::named<io::MeshFormat>(searched(action).toStdString());
+}
+
+// Words of people who cut and draw with machines, in English and in the user's language.
+bool isOfMachines(const QString& typed) {
+    constexpr qsizetype fewest = 3; // letters
+    const char* const words =
+        QT_TRANSLATE_NOOP("MainWindow", "laser plotter cutter engrave dxf outline millimetres millimeters");
+    const QStringList known =
+        (QCoreApplication::translate("MainWindow", words) + u' ' + QLatin1String(words)).split(u' ');
+    return typed.size() >= fewest && std::ranges::any_of(known, [&](const QString& word) {
+               return word.startsWith(typed, Qt::CaseInsensitive);
+           });
 }
 
 void present(view::ExportShell* dialog) {
@@ -136,11 +153,13 @@ void ExportMenu::exportPicture() {
     if (context().stage->showsSpace()) {
         auto* dialog = new view::SpaceExportDialog(
             context().document, context().stage->space()->navigation().camera(), context().window);
+        if (context().stage->space()->navigation().isFitted()) dialog->beginWithAttractor();
         if (mesh) dialog->setFormat(*mesh);
         return showWithQueue(dialog);
     }
     auto* dialog = new view::ExportDialog(context().document, context().canvas->camera(), context().window);
     if (context().canvas->navigation().isFitted()) dialog->setSection(view::ExportDialog::Section::Attractor);
+    if (isOfMachines(searched(*m_picture))) dialog->beginAsOutline();
     dialog->suggestFolderOf(m_file->path());
     showWithQueue(dialog);
 }

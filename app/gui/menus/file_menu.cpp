@@ -7,6 +7,7 @@
 #include "files/open_file.h"
 #include "files/recent_files.h"
 #include "menus/export_menu.h"
+#include "messages/written_banner.h"
 #include "session/session.h"
 #include "stage/stage.h"
 #include "widgets/menus/menu_placeholder.h"
@@ -78,7 +79,10 @@ void FileMenu::fillRecent() {
 }
 
 void FileMenu::printPicture() {
-    const auto say = [messages = context().messages](const QString& sentence) { messages->say(sentence); };
+    const auto say = [context = context()](const QString& sentence, const QString& path) {
+        context.messages->say(sentence);
+        WrittenBanner::offerPrinted(context.window, *context.document, path);
+    };
     if (context().stage->showsSpace())
         view::printFractal(context().document, context().stage->space()->navigation().camera(),
                            context().window, say);

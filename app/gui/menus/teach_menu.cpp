@@ -3,6 +3,7 @@
 
 #include "dialogs/export/handout_dialog.h"
 #include "files/open_file.h"
+#include "messages/written_banner.h"
 
 #include <QFileInfo>
 
@@ -23,6 +24,9 @@ void TeachMenu::addHandout(const OpenFile* file) {
             auto* dialog = new view::HandoutDialog(context().document, context().window);
             if (!file->path().isEmpty()) dialog->setName(QFileInfo(file->path()).completeBaseName());
             dialog->setAttribute(Qt::WA_DeleteOnClose);
+            connect(dialog, &view::HandoutDialog::written, this, [this](const QString& path) {
+                WrittenBanner::offerPrinted(context().window, *context().document, path);
+            });
             dialog->open();
         });
 }

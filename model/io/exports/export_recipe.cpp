@@ -3,6 +3,7 @@
 
 #include "document/fractal/fractal_geometry.h"
 #include "document/fractal/space_geometry.h"
+#include "io/overlay/space_overlay.h"
 #include "io/picture/picture_writers.h"
 #include "io/picture/vector/shape_preview.h"
 
@@ -172,6 +173,9 @@ SpaceExport exportOf(const SpaceRecipe& recipe, const document::Fractal& fractal
     picture.supersample = recipe.supersample;
     picture.depth = recipe.depth;
     picture.dotsPerInch = recipe.dotsPerInch;
+    PictureOverlay overlay;
+    overlay.cage = recipe.showsCage && !isNumbers && picture.stereo == Stereo::None;
+    if (overlay.cage) picture.marks = spaceOverlayMarks(fractal, camera, overlay);
     return picture;
 }
 

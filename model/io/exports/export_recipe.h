@@ -53,6 +53,7 @@ struct SpaceRecipe {
     int supersample = 2;
     double dotsPerInch = 300;
     bool isTransparent = false;
+    bool showsCage = false; // over the picture, but not over numbers nor in stereo
 
     friend bool operator==(const SpaceRecipe&, const SpaceRecipe&) = default;
 };

@@ -196,7 +196,8 @@ QJsonObject jsonOf(const SpaceRecipe& recipe) {
                      {QStringLiteral("stereo"), nameOf(ifs::names<Stereo>, recipe.stereo)},
                      {QStringLiteral("supersample"), recipe.supersample},
                      {QStringLiteral("dotsPerInch"), recipe.dotsPerInch},
-                     {QStringLiteral("transparent"), recipe.isTransparent}};
+                     {QStringLiteral("transparent"), recipe.isTransparent},
+                     {QStringLiteral("cage"), recipe.showsCage}};
     if (recipe.page) json.insert(QStringLiteral("page"), nameOf(ifs::names<ShapeFile>, *recipe.page));
     return json;
 }
@@ -211,6 +212,7 @@ bool read(const QJsonObject& json, SpaceRecipe& recipe) {
     fields.read("supersample", recipe.supersample);
     fields.read("dotsPerInch", recipe.dotsPerInch);
     fields.read("transparent", recipe.isTransparent);
+    if (json.contains(QLatin1String("cage"))) fields.read("cage", recipe.showsCage); // older ones have none
     if (json.contains(QLatin1String("page")))
         fields.read("page", recipe.page.emplace(), ifs::names<ShapeFile>);
     return fields.areRight() && read(json.value(QLatin1String("camera")).toObject(), recipe.camera);

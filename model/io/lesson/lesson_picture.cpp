@@ -10,6 +10,7 @@
 #include "io/picture/space_export.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace io {
@@ -73,29 +74,6 @@ int dotOf(const LessonConstruction& construction, const QSize& size) {
     return areDots ? std::max(1, size.width() / dotsInWidth) : 1;
 }
 
-// The numbers of the corners, as on the canvas.
-void addCornerNumbers(OverlayMarks& marks, const document::Fractal& fractal,
-                      const attractor::Camera& camera) {
-    constexpr double share = 0.018; // of the height of the picture
-    const ifs::ControlCage<2> cage = document::effectiveCage(fractal);
-    for (std::size_t i = 0; i < cage.current.size(); ++i) {
-        const ifs::Vector<2> pixel = attractor::toPixel(camera, cage.current[i]);
-        OverlayMark disc;
-        disc.centre = {pixel.x(), pixel.y()};
-        disc.radius = std::max(6.0, share * camera.height);
-        disc.fill = Qt::white;
-        disc.stroke = Qt::black;
-        disc.width = disc.radius / 6;
-        OverlayMark digits;
-        digits.centre = disc.centre;
-        digits.word = QString::number(i + 1);
-        digits.letterSize = 1.1 * disc.radius;
-        digits.fill = Qt::black;
-        marks.push_back(std::move(disc));
-        marks.push_back(std::move(digits));
-    }
-}
-
 attractor::RenderRequest requestOf(const document::Fractal& fractal, const LessonState& state,
                                    const attractor::Camera& camera) {
     attractor::RenderRequest request = document::renderRequest(fractal, camera);
@@ -131,7 +109,7 @@ QImage inPlane(const document::Fractal& fractal, const LessonState& state, const
                          .copy()
                          .scaled(size);
     OverlayMarks marks = overlayMarks(fractal, camera, overlay);
-    if (overlay.cage) addCornerNumbers(marks, fractal, camera);
+    if (overlay.cage) std::ranges::move(cornerMarks(fractal, camera), std::back_inserter(marks));
     paintOverlay(picture, marks, 0);
     return picture;
 }

@@ -12,7 +12,8 @@ void paintCage(QImage& rows, const document::Fractal& fractal, const attractor::
     QPainter painter(&rows);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.translate(0, -firstRow);
-    paint(painter, {cageMarks(fractal, camera).back()}); // current cage
+    paint(painter, {cageMarks(fractal, camera, inkOn(fractal.appearance.background)).back()}); // current cage
+    paint(painter, cornerMarks(fractal, camera));
 }
 
 } // namespace io

@@ -58,6 +58,35 @@ void paint(QPainter& painter, const OverlayMarks& marks) {
     }
 }
 
+QColor inkOn(const attractor::Rgba& background) {
+    const bool isDark =
+        background.alpha == 255 && qGray(background.red, background.green, background.blue) < 128;
+    return isDark ? QColor(214, 224, 240) : QColor(28, 36, 50);
+}
+
+OverlayMarks cornerMarks(const document::Fractal& fractal, const attractor::Camera& camera) {
+    constexpr double share = 0.018; // of the height of the picture
+    const ifs::ControlCage<2> cage = document::effectiveCage(fractal);
+    OverlayMarks marks;
+    for (std::size_t i = 0; i < cage.current.size(); ++i) {
+        const ifs::Vector<2> pixel = attractor::toPixel(camera, cage.current[i]);
+        OverlayMark disc;
+        disc.centre = {pixel.x(), pixel.y()};
+        disc.radius = std::max(6.0, share * camera.height);
+        disc.fill = Qt::white;
+        disc.stroke = Qt::black;
+        disc.width = disc.radius / 6;
+        OverlayMark digits;
+        digits.centre = disc.centre;
+        digits.word = QString::number(i + 1);
+        digits.letterSize = 1.1 * disc.radius;
+        digits.fill = Qt::black;
+        marks.push_back(std::move(disc));
+        marks.push_back(std::move(digits));
+    }
+    return marks;
+}
+
 QColor cageColour() {
     return {245, 166, 35};
 }

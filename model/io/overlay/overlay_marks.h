@@ -34,6 +34,9 @@ using OverlayMarks = std::vector<OverlayMark>;
 void paint(QPainter& painter, const OverlayMarks& marks);
 
 QColor cageColour();
+QColor inkOn(const attractor::Rgba& background); // colour of lines that are seen on it
+// The corners of the cage with their numbers, as on the canvas.
+OverlayMarks cornerMarks(const document::Fractal& fractal, const attractor::Camera& camera);
 // The control polygon, the rest polygon dashed where it differs.
 OverlayMarks cageMarks(const document::Fractal& fractal, const attractor::Camera& camera,
                        const QColor& colour = cageColour());

@@ -38,7 +38,7 @@ public:
            const document::MapFaces& faces)
         : m_camera(camera), m_width(std::max(1.5, std::min(camera.width, camera.height) / 500.0)) {
         const bool onDark = isDark(fractal.appearance.background);
-        m_ink = onDark ? QColor(214, 224, 240) : QColor(28, 36, 50);
+        m_ink = inkOn(fractal.appearance.background);
         m_halo = onDark ? QColor(0, 0, 0) : QColor(255, 255, 255);
         if (overlay.maps || overlay.fixedPoints || overlay.numbers) findMaps(fractal, faces);
         if (overlay.maps) std::ranges::for_each(m_maps, [this](const Map& map) { addMap(map); });

@@ -27,6 +27,7 @@ class SpaceHandlesTest : public QObject {
 
 private slots:
     void theBallNeverWinsOverACorner();
+    void commandsKeepTheCageInTheView();
     void anArrowLeadsToACornerOutside();
     void fitTakesInTheWholeMotion();
     void theCageOfVeryManyMapsIsFoundInTheBackground();
@@ -78,6 +79,26 @@ void SpaceHandlesTest::theBallNeverWinsOverACorner() {
 }
 
 // Of a corner that a zoom has taken out of the view; a click on it fits.
+// As in the plane: a drag may take a corner out of sight, a command may not.
+void SpaceHandlesTest::commandsKeepTheCageInTheView() {
+    Window window;
+    QVERIFY(window.rests());
+    const auto areAllSeen = [&] {
+        for (std::size_t vertex = 0; vertex < window.view->cageItem().count(); ++vertex)
+            if (!window.view->viewport()->rect().contains(window.handle(vertex))) return false;
+        return true;
+    };
+    QVERIFY(areAllSeen());
+    document::Fractal fractal = window.document.fractal();
+    ifs::ControlCage<3> cage = *document::spaceCage(fractal);
+    for (ifs::Vector<3>& corner : cage.current)
+        corner += ifs::Vector<3>(7, 0, 3);
+    document::space(fractal)->cage = cage;
+    window.document.edit(QStringLiteral("Move the cage"), fractal);
+    QTRY_VERIFY(areAllSeen());
+    QVERIFY(window.view->navigation().isFitted());
+}
+
 void SpaceHandlesTest::anArrowLeadsToACornerOutside() {
     Window window;
     QVERIFY(window.rests());

@@ -24,6 +24,7 @@
 #include <QLocale>
 #include <QPushButton>
 #include <QSpinBox>
+#include <QStringList>
 
 #include <algorithm>
 #include <cmath>
@@ -78,7 +79,7 @@ QString sizeOfShape(const document::Fractal& fractal, const attractor::Camera& c
     const ifs::Vector<2> low = camera.centre - page / 2, high = camera.centre + page / 2;
     if ((box->min.array() < low.array()).any() || (box->max.array() > high.array()).any()) return {};
     const ifs::Vector<2> pixels = camera.pixelsPerUnit * (box->max - box->min);
-    return ExportDialog::tr(" The shape itself measures %1 × %2.")
+    return ExportDialog::tr("The shape itself measures %1 × %2.")
         .arg(lengthOf(pixels.x(), size), lengthOf(pixels.y(), size));
 }
 
@@ -95,9 +96,7 @@ ExportDialog::ExportDialog(document::Document* document, const attractor::Camera
     createFormat();
     lay(m_options, m_preview, Qt::Horizontal);
     setStartHelp(tr("Asks for a file name and writes the file. You can keep working in the meantime."));
-    if (document::animationFacts(document->entryFractal()))
-        addButton(Text::tr("&Animation…"), Text::tr("Exports the motion instead, as GIF, MP4 and others."))
-            ->setObjectName(QStringLiteral("animation"));
+    if (document::animationFacts(document->entryFractal())) addAnimationButton();
     addQueueButton(tr("Asks for a file name and adds the picture to the queue in the Exports panel. "
                       "The queue continues after a restart."));
     m_planTimer.setSingleShot(true);
@@ -188,6 +187,7 @@ void ExportDialog::createPngOptions() {
 
 void ExportDialog::createSvgOptions() {
     m_style = new QComboBox(m_options);
+    m_style->setObjectName(QStringLiteral("style"));
     addChoice(m_style, tr("Copies of copies: a small file"), io::ShapeStyle::Structured);
     addChoice(m_style, tr("Outline, for cutters and plotters"), io::ShapeStyle::Outline);
     addChoice(m_style, tr("Points"), io::ShapeStyle::Points);
@@ -380,28 +380,28 @@ void ExportDialog::showSvgPlan() {
         const QSignalBlocker quiet(m_depth);
         m_depth->setValue(plan.depth);
     }
-    const bool isOneColour = m_fractal.appearance.colourBy == attractor::ColourBy::Density;
-    const QString colours =
-        isOneColour ? tr(" Shades of density need pixels: the shapes have one colour.") : QString();
-    if (style() == io::ShapeStyle::Points) {
-        showPlan(tr("One dot for every visible point of the chaos game.") + colours);
-        return;
-    }
     const bool isOutline = style() == io::ShapeStyle::Outline;
     const QString accuracy = lengthOf(plan.errorInPixels, *m_size);
-    const QString text = isOutline ? tr("Guaranteed accuracy: %1.").arg(accuracy)
-                                   : tr("Guaranteed accuracy: %2. Copies drawn by programs that open the "
-                                        "file: %1 (the limit is %3).")
-                                         .arg(groupedNumber(double(plan.references)), accuracy,
-                                              groupedNumber(double(ifs::CopyHierarchy::maxReferences)));
-    showPlan(text + (isOutline ? sizeOfShape(m_fractal, camera(), *m_size) : colours) +
-             (plan.isCutShort
-                  ? tr(" More levels would be more accurate, but programs would take long to draw them.")
-                  : QString()) +
-             (plan.unbent
-                  ? tr(" The cage bends the picture, which copies cannot reproduce: the affine fit of the "
-                       "cage is written instead. A PNG shows the bend.")
-                  : QString()));
+    QStringList sentences;
+    if (style() == io::ShapeStyle::Points)
+        sentences << tr("One dot for every visible point of the chaos game.");
+    else if (isOutline)
+        sentences << tr("Guaranteed accuracy: %1.").arg(accuracy)
+                  << sizeOfShape(m_fractal, camera(), *m_size);
+    else
+        sentences << tr("Guaranteed accuracy: %2. Copies drawn by programs that open the file: %1 (the limit "
+                        "is %3).")
+                         .arg(groupedNumber(double(plan.references)), accuracy,
+                              groupedNumber(double(ifs::CopyHierarchy::maxReferences)));
+    if (!isOutline && m_fractal.appearance.colourBy == attractor::ColourBy::Density)
+        sentences << tr("Shades of density need pixels: the shapes have one colour.");
+    if (style() != io::ShapeStyle::Points && plan.isCutShort)
+        sentences << tr("More levels would be more accurate, but programs would take long to draw them.");
+    if (style() != io::ShapeStyle::Points && plan.unbent)
+        sentences << tr("The cage bends the picture, which copies cannot reproduce: the affine fit of the "
+                        "cage is written instead. A PNG shows the bend.");
+    sentences.removeAll(QString());
+    showPlan(sentences.join(QChar::Space));
 }
 
 void ExportDialog::showPlan(const QString& text) {
@@ -427,6 +427,12 @@ void ExportDialog::setSection(Section section) {
 void ExportDialog::beginAsPoster() {
     chooseValue(m_format, File(io::PictureFile::Png));
     m_size->chooseLargestSheet();
+}
+
+void ExportDialog::beginAsOutline() {
+    chooseValue(m_format, File(io::ShapeFile::Svg));
+    chooseValue(m_style, io::ShapeStyle::Outline);
+    m_size->chooseMillimetres();
 }
 
 bool ExportDialog::isPossible() const {

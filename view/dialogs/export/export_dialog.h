@@ -39,6 +39,7 @@ public:
     enum class Section { View = -2, Attractor = -1 };          // saved views have the numbers from 0
     void setSection(Section section);                          // the part shown; the view at first
     void beginAsPoster();                                      // as pixels for the largest sheet
+    void beginAsOutline();                                     // as one path in millimetres, to be cut
     void exportTo(const QString& path) override;               // the ending of the name decides the format
     const ExportPreview& preview() const { return *m_preview; }
 

@@ -44,7 +44,7 @@ ExportShell::ExportShell(const QString& kind, const QString& entry, QWidget* par
     m_showInFolder =
         addButton(tr("Show in Folder"), tr("Shows the folder of the written file in the file manager."));
     m_showInFolder->setObjectName(QStringLiteral("show-in-folder"));
-    m_showInFolder->hide();
+    m_showInFolder->setEnabled(false); // in its place, so that Export stays in its own
     connect(m_showInFolder, &QPushButton::clicked, this, [this] { showInFolder(m_written); });
     connect(m_buttons, &QDialogButtonBox::accepted, this, [this] {
         if (const QString path = chosenFile(); !path.isEmpty()) exportTo(path);
@@ -79,6 +79,9 @@ void ExportShell::lay(QWidget* options, QWidget* preview, Qt::Orientation orient
         new QBoxLayout(orientation == Qt::Horizontal ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
     top->addWidget(options);
     if (preview != nullptr) top->addWidget(preview, 1);
+    QSizePolicy policy = m_progress->sizePolicy();
+    policy.setRetainSizeWhenHidden(true); // the buttons below keep their places
+    m_progress->setSizePolicy(policy);
     auto* result = new QGridLayout; // one cell, because a running export has no outcome yet
     result->addWidget(m_message, 0, 0);
     result->addWidget(m_progress, 0, 0);
@@ -102,7 +105,6 @@ void ExportShell::setStartHelp(const QString& text) const {
 QPushButton* ExportShell::addButton(const QString& text, const QString& help) const {
     QPushButton* button = m_buttons->addButton(text, QDialogButtonBox::ActionRole);
     button->setWhatsThis(help);
-    if (m_showInFolder != nullptr) m_showInFolder->hide(); // adding a button shows all buttons of the box
     return button;
 }
 
@@ -111,6 +113,12 @@ QPushButton* ExportShell::addQueueButton(const QString& help) {
     m_enqueue->hide();
     connect(m_enqueue, &QPushButton::clicked, this, [this] { addToQueue(chosenFile()); });
     return m_enqueue;
+}
+
+void ExportShell::addAnimationButton() {
+    m_animation =
+        addButton(Text::tr("&Animation…"), Text::tr("Exports the motion instead, as GIF, MP4 and others."));
+    m_animation->setObjectName(QStringLiteral("animation"));
 }
 
 void ExportShell::setQueue(ExportQueue* queue) {
@@ -163,6 +171,7 @@ void ExportShell::say(const QString& sentence) {
 
 void ExportShell::enableButtons() {
     m_start->setEnabled(isPossible() && !isBusy());
+    if (m_animation != nullptr) m_animation->setEnabled(!isBusy()); // it closes this dialog
     if (m_enqueue != nullptr) m_enqueue->setEnabled(m_start->isEnabled() && isQueueable());
 }
 
@@ -185,11 +194,13 @@ void ExportShell::start(Work work, const QString& path, const QString& firstStep
             listener.tell([&] { here([this, outcome, path] { finish(outcome, path); }); });
         });
     say({});
-    m_showInFolder->hide();
+    m_showInFolder->setEnabled(false);
     m_progress->begin(firstStep);
     m_options->setEnabled(false);
     m_close->setText(tr("&Stop"));
+    const bool hadFocus = focusWidget() == m_start;
     enableButtons();
+    if (hadFocus && focusWidget() != nullptr) focusWidget()->clearFocus(); // Return must do nothing else
 }
 
 void ExportShell::writeText(const QByteArray& text, const QString& path) {
@@ -210,6 +221,8 @@ void ExportShell::finish(const io::ExportOutcome& outcome, const QString& path) 
     m_close->setText(tr("&Close"));
     whenFinished();
     enableButtons();
+    if (focusWidget() == nullptr || qobject_cast<QPushButton*>(focusWidget()) != nullptr)
+        m_start->setFocus(); // for the next export
     say(sentenceFor(outcome, path));
     if (!outcome.failure && !outcome.stopped) offerFolderOf(path);
     if (outcome.failure && !outcome.stopped) emit failed(*outcome.failure);
@@ -218,7 +231,7 @@ void ExportShell::finish(const io::ExportOutcome& outcome, const QString& path) 
 
 void ExportShell::offerFolderOf(const QString& path) {
     m_written = path;
-    m_showInFolder->show();
+    m_showInFolder->setEnabled(true);
 }
 
 QString ExportShell::sentenceFor(const io::ExportOutcome& outcome, const QString& path) const {

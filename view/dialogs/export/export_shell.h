@@ -58,6 +58,7 @@ protected:
     void setStartHelp(const QString& text) const;
     QPushButton* addButton(const QString& text, const QString& help) const; // placed between Export and Close
     QPushButton* addQueueButton(const QString& help);
+    void addAnimationButton(); // named “animation”; the window has the dialog that it leads to
 
     // Asks for a file. Empty: none was chosen, or something has to be put right first.
     virtual QString chosenFile() = 0;
@@ -109,8 +110,9 @@ private:
     QDialogButtonBox* m_buttons = nullptr;
     QPushButton* m_start = nullptr;
     QPushButton* m_enqueue = nullptr;
+    QPushButton* m_animation = nullptr;
     QPushButton* m_close = nullptr;
-    QPushButton* m_showInFolder = nullptr; // visible once something was written
+    QPushButton* m_showInFolder = nullptr; // enabled once something was written
     QString m_written;                     // path of the written file
     ExportQueue* m_queue = nullptr;
     QPointer<QMessageBox> m_question;       // asks whether to stop; closed when the work ends

@@ -214,6 +214,10 @@ void ExportSizeEditor::chooseLargestSheet() {
     takeNamedSize();
 }
 
+void ExportSizeEditor::chooseMillimetres() {
+    chooseValue(m_unit, Unit::Millimetres);
+}
+
 void ExportSizeEditor::setResolutionVisible(bool visible) {
     m_resolution->setVisible(visible);
 }

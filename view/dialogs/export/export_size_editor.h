@@ -29,6 +29,7 @@ public:
     QString choice() const;
     void choose(const QString& choice); // ignores texts that are no choice
     void chooseLargestSheet();          // of paper
+    void chooseMillimetres();           // the same size in them
     void setResolutionVisible(bool visible);
 
 signals:

@@ -242,13 +242,15 @@ void HandoutDialog::showPreview() {
         }
         items.push_back(std::move(item));
     }
-    constexpr double paperMargin = 15; // mm, for printers and hole punches
     const auto paint = [items = std::move(items), wanted](QPainter& painter, const QRectF& page,
                                                           const std::function<void()>& newPage) {
         paintHandout(painter, page, items, wanted, newPage);
     };
-    showPrintPreview({windowTitle(), printedName(), paperMargin, paint}, this,
-                     [this](const QString& sentence) { m_message->setText(sentence); });
+    showPrintPreview({windowTitle(), printedName(), paint}, this,
+                     [this](const QString& sentence, const QString& path) {
+                         m_message->setText(sentence);
+                         if (!path.isEmpty()) emit written(path);
+                     });
 }
 
 } // namespace view

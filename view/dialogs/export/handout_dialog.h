@@ -34,6 +34,9 @@ public:
     std::vector<std::shared_ptr<const document::Fractal>> chosen() const; // in the order of the file
     void showPreview(); // prepared in the background, with progress
 
+signals:
+    void written(const QString& path); // where paper is a file
+
 private:
     void createEntries(const document::Document& document);
     void createOptions();

@@ -123,12 +123,12 @@ void paintTables(QPainter& painter, const QRectF& page, double top, const std::v
 }
 
 void showPreview(const document::Fractal& fractal, const QImage& picture, QWidget* parent,
-                 const std::function<void(const QString&)>& said) {
+                 const PrintSaid& said) {
     const auto paint = [fractal, picture](QPainter& painter, const QRectF& page,
                                           const std::function<void()>& newPage) {
         paintPages(painter, page, fractal, picture, newPage);
     };
-    showPrintPreview({Text::tr("Print “%1”").arg(fractal.name), fractal.name, 0, paint}, parent, said);
+    showPrintPreview({Text::tr("Print “%1”").arg(fractal.name), fractal.name, paint}, parent, said);
 }
 
 } // namespace
@@ -170,7 +170,7 @@ void paintPages(QPainter& painter, const QRectF& page, const document::Fractal& 
 }
 
 void printFractal(document::Document* document, const attractor::Camera& camera, QWidget* parent,
-                  const std::function<void(const QString&)>& said) {
+                  const PrintSaid& said) {
     // The document may change while the picture is drawn.
     // NOLINTNEXTLINE(performance-unnecessary-copy-initialization)
     const document::Fractal fractal = document->fractal();
@@ -179,7 +179,7 @@ void printFractal(document::Document* document, const attractor::Camera& camera,
 }
 
 void printFractal(document::Document* document, const attractor::OrbitCamera& camera, QWidget* parent,
-                  const std::function<void(const QString&)>& said) {
+                  const PrintSaid& said) {
     // NOLINTNEXTLINE(performance-unnecessary-copy-initialization)
     const document::Fractal fractal = document->fractal();
     const QImage picture = drawnForPaper(spacePicture(fractal, camera, longSide), parent);

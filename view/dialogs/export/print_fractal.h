@@ -5,6 +5,8 @@
 #include "attractor/request/orbit_camera.h"
 #include "document/document.h"
 
+#include "dialogs/export/print_preview.h"
+
 #include <QImage>
 #include <QRectF>
 
@@ -17,9 +19,9 @@ namespace view {
 
 // Shows a print preview of the page below, and prints it from there: showPrintPreview().
 void printFractal(document::Document* document, const attractor::Camera& camera, QWidget* parent,
-                  const std::function<void(const QString& sentence)>& said);
+                  const PrintSaid& said);
 void printFractal(document::Document* document, const attractor::OrbitCamera& camera, QWidget* parent,
-                  const std::function<void(const QString& sentence)>& said);
+                  const PrintSaid& said);
 
 // Name, comments, picture and table of coefficients, in space also that of the cage's corners, from the top
 // of `page` down. What does not fit legibly goes on the pages after it: `newPage` begins one.

@@ -16,24 +16,23 @@ namespace view {
 
 namespace {
 
-// Empty for paper.
-QString sentenceOn(const QPrinter& printer) {
+constexpr double paperMargin = 15; // millimetres, for printers and hole punches
+
+void tell(const QPrinter& printer, const PrintSaid& said) {
     const QString path = printer.outputFileName();
-    if (path.isEmpty()) return {};
-    return printer.printerState() == QPrinter::Error || QFileInfo(path).size() == 0
-               ? Text::tr("%1 could not be written. Print it to another folder.").arg(path)
-               : Text::tr("Written to %1.").arg(path);
+    if (path.isEmpty()) return; // paper
+    if (printer.printerState() == QPrinter::Error || QFileInfo(path).size() == 0)
+        said(Text::tr("%1 could not be written. Print it to another folder.").arg(path), {});
+    else
+        said(Text::tr("Written to %1.").arg(path), path);
 }
 
 } // namespace
 
-void showPrintPreview(const PrintedPages& pages, QWidget* parent,
-                      const std::function<void(const QString&)>& said) {
+void showPrintPreview(const PrintedPages& pages, QWidget* parent, const PrintSaid& said) {
     const auto printer = std::make_shared<QPrinter>(QPrinter::HighResolution);
     printer->setDocName(pages.name);
-    if (pages.margin > 0)
-        printer->setPageMargins({pages.margin, pages.margin, pages.margin, pages.margin},
-                                QPageLayout::Millimeter);
+    printer->setPageMargins({paperMargin, paperMargin, paperMargin, paperMargin}, QPageLayout::Millimeter);
     auto* preview = new QPrintPreviewDialog(printer.get(), parent);
     preview->setAttribute(Qt::WA_DeleteOnClose);
     preview->setWindowTitle(titleText(pages.title));
@@ -47,9 +46,7 @@ void showPrintPreview(const PrintedPages& pages, QWidget* parent,
                          const QSizeF size = device->pageRect(QPrinter::DevicePixel).size();
                          paint(painter, QRectF(QPointF(0, 0), size), [device] { device->newPage(); });
                      });
-    QObject::connect(preview, &QDialog::accepted, preview, [printer, said] {
-        if (const QString sentence = sentenceOn(*printer); !sentence.isEmpty()) said(sentence);
-    });
+    QObject::connect(preview, &QDialog::accepted, preview, [printer, said] { tell(*printer, said); });
     preview->open();
 }
 

@@ -12,15 +12,16 @@ class QWidget;
 namespace view {
 
 struct PrintedPages {
-    QString title;     // title of the preview
-    QString name;      // name of the document, which print dialogs suggest as the name of a file
-    double margin = 0; // millimetres; 0: least margin of the printer
+    QString title; // title of the preview
+    QString name;  // name of the document, which print dialogs suggest as the name of a file
     std::function<void(QPainter& painter, const QRectF& page, const std::function<void()>& newPage)> paint;
 };
 
-// Shows a print preview of the pages, and prints them from there. Where paper is a file, `said` gets the
-// sentence that names it, or that says that it could not be written.
-void showPrintPreview(const PrintedPages& pages, QWidget* parent,
-                      const std::function<void(const QString& sentence)>& said);
+// Where paper is a file: the sentence that names it, or that says that it could not be written, and its path
+// if it was.
+using PrintSaid = std::function<void(const QString& sentence, const QString& written)>;
+
+// Shows a print preview of the pages, and prints them from there.
+void showPrintPreview(const PrintedPages& pages, QWidget* parent, const PrintSaid& said);
 
 } // namespace view

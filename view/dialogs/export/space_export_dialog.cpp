@@ -31,7 +31,8 @@ namespace view {
 
 namespace {
 
-constexpr int theCanvas = -1; // replacement for the index of a saved view
+// Replacements for the index of a saved view.
+constexpr int theCanvas = -1, theAttractor = -2;
 
 struct BodyKind {
     SpaceExportDialog::Format format;
@@ -88,9 +89,7 @@ SpaceExportDialog::SpaceExportDialog(document::Document* document, const attract
     m_preview = new ExportPreview(this);
     lay(m_form, m_preview, Qt::Horizontal);
     setStartHelp(tr("Asks for a file name and writes the file."));
-    if (document::animationFacts(document->entryFractal()))
-        addButton(Text::tr("&Animation…"), Text::tr("Exports the motion instead, as GIF, MP4 and others."))
-            ->setObjectName(QStringLiteral("animation"));
+    if (document::animationFacts(document->entryFractal())) addAnimationButton();
     addQueueButton(tr("Asks for a file name and adds the file to the queue in the Exports panel. "
                       "The queue continues after a restart."));
     setFormat(formatOf(last().format).value_or(io::PictureFile::Png));
@@ -98,8 +97,9 @@ SpaceExportDialog::SpaceExportDialog(document::Document* document, const attract
     showBody(last().more);
     connect(m_format, &QComboBox::currentIndexChanged, this, &SpaceExportDialog::update);
     connect(m_size, &ExportSizeEditor::changed, this, &SpaceExportDialog::showPreview);
-    connect(m_transparent, &QCheckBox::toggled, this, &SpaceExportDialog::showPreview);
-    connect(m_stereo, &QComboBox::currentIndexChanged, this, &SpaceExportDialog::showPreview);
+    for (const QCheckBox* box : {m_transparent, m_cage})
+        connect(box, &QCheckBox::toggled, this, &SpaceExportDialog::showPreview);
+    connect(m_stereo, &QComboBox::currentIndexChanged, this, &SpaceExportDialog::update);
     connect(m_supersample, &QSpinBox::valueChanged, this, &SpaceExportDialog::showPreview);
     update();
 }
@@ -109,12 +109,15 @@ SpaceExportDialog::~SpaceExportDialog() = default;
 void SpaceExportDialog::createPicture() {
     m_section = new QComboBox(this);
     addChoice(m_section, tr("The view on the canvas"), theCanvas);
+    addChoice(m_section, tr("The whole attractor"), theAttractor);
     for (int saved = 0; saved < int(m_views.size()); ++saved)
         addChoice(m_section, tr("The view “%1”").arg(m_views[std::size_t(saved)].name), saved);
     m_section->setAccessibleName(tr("Section"));
-    m_section->setWhatsThis(tr("What the picture shows: the view on the canvas, or a saved view."));
+    m_section->setWhatsThis(tr("What the picture shows: the view on the canvas, or the whole attractor with "
+                               "a small margin. Saved views are listed, too."));
     m_form->addRow(tr("Sect&ion:"), m_section);
     connect(m_section, &QComboBox::currentIndexChanged, this, &SpaceExportDialog::showPreview);
+    m_section->setObjectName(QStringLiteral("section"));
     m_size = new ExportSizeEditor({m_camera.size.width, m_camera.size.height}, this);
     m_form->addRow(tr("&Size:"), m_size);
     m_supersample = new WholeNumberBox(this);
@@ -125,14 +128,18 @@ void SpaceExportDialog::createPicture() {
     m_form->addRow(tr("S&upersampling:"), m_supersample);
     m_depth = new QComboBox(this);
     using Depth = io::PictureFormat::Depth;
-    addChoice(m_depth, tr("8 bits"), Depth::Bits8);
-    addChoice(m_depth, tr("16 bits"), Depth::Bits16);
+    addChoice(m_depth, tr("8 bits per channel"), Depth::Bits8);
+    addChoice(m_depth, tr("16 bits per channel, for further editing"), Depth::Bits16);
     if (m_fractal.inSpace.look == attractor::LookInSpace::Normals) chooseValue(m_depth, Depth::Bits16);
     m_depth->setWhatsThis(tr("Bits per channel. Depths always have 16."));
-    m_form->addRow(tr("Co&lours:"), m_depth);
+    m_form->addRow(tr("C&olour depth:"), m_depth);
     m_transparent = new QCheckBox(tr("&Transparent background"), this);
     m_transparent->setWhatsThis(tr("Makes the surroundings of the solid transparent."));
     m_form->addRow(QString(), m_transparent);
+    m_cage = new QCheckBox(tr("Include the ca&ge"), this);
+    m_cage->setObjectName(QStringLiteral("cage"));
+    m_cage->setWhatsThis(tr("Draws the cage over the picture."));
+    m_form->addRow(QString(), m_cage);
     m_stereo = new QComboBox(this);
     for (const document::StereoMode& mode : document::stereoModes())
         addChoice(m_stereo, Text::tr(mode.title), mode.value);
@@ -215,9 +222,20 @@ QString SpaceExportDialog::suffix() const {
 }
 
 // The camera for the proportions of the canvas.
+void SpaceExportDialog::beginWithAttractor() {
+    if (document::isSpaceExtentKnown(m_fractal)) chooseValue(m_section, theAttractor);
+}
+
 attractor::OrbitCamera SpaceExportDialog::camera() const {
     const int saved = chosenValue<int>(m_section);
     if (saved == theCanvas) return m_camera;
+    if (saved == theAttractor) {
+        constexpr double margin = 0.02;
+        attractor::OrbitCamera whole = m_camera;
+        whole.size = {m_size->pixels().width(), m_size->pixels().height()};
+        return m_cage->isChecked() ? document::fittedTo(m_fractal, whole, margin)
+                                   : document::fittedToPicture(m_fractal, whole, margin);
+    }
     auto camera = std::get<attractor::OrbitCamera>(m_views[std::size_t(saved)].camera);
     camera.size = m_camera.size;
     return camera;
@@ -241,6 +259,7 @@ std::optional<io::ExportRecipe> SpaceExportDialog::recipe() const {
     picture.page = page();
     picture.isTransparent = m_transparent->isChecked() && io::factsOf(picture.file).canBeTransparent;
     picture.stereo = chosenValue<io::Stereo>(m_stereo);
+    picture.showsCage = m_cage->isChecked();
     picture.supersample = m_supersample->value();
     using enum io::PictureFormat::Depth;
     picture.depth = picture.page ? Bits8 : chosenValue<io::PictureFormat::Depth>(m_depth);
@@ -267,13 +286,15 @@ void SpaceExportDialog::update() {
     const bool hasDepths = file && !page() && io::takes(*file, Bits8) && io::takes(*file, Bits16);
     const bool isDepth = m_fractal.inSpace.look == attractor::LookInSpace::Depth;
     const bool isNumbers = isDepth || m_fractal.inSpace.look == attractor::LookInSpace::Normals;
-    m_form->setRowVisible(m_section, isPicture && !m_views.empty());
+    m_form->setRowVisible(m_section, isPicture);
     m_form->setRowVisible(m_size, isPicture);
     m_form->setRowVisible(m_supersample,
                           isPicture && !isNumbers && !attractor::showsCloud(m_fractal.inSpace.look));
     m_form->setRowVisible(m_depth, hasDepths && !isDepth);
     m_form->setRowVisible(m_transparent, isPicture && !isNumbers && io::factsOf(*file).canBeTransparent);
     m_form->setRowVisible(m_stereo, isPicture && !isNumbers);
+    m_form->setRowVisible(m_cage, isPicture && !isNumbers);
+    m_cage->setEnabled(chosenValue<io::Stereo>(m_stereo) == io::Stereo::None);
     for (QWidget* row : std::initializer_list<QWidget*>{m_longest, m_resolution, m_wall, m_fill})
         m_form->setRowVisible(row, isBody());
 }

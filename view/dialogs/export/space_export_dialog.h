@@ -37,6 +37,7 @@ public:
     // Pixels, alone or in a page of shapes; a body; or a program.
     using Format = std::variant<io::PictureFile, io::ShapeFile, io::MeshFormat, OpenScad>;
     void setFormat(const Format& format);
+    void beginWithAttractor();                   // as the section, rather than the view on the canvas
     void exportTo(const QString& path) override; // format from the suffix of the name
     const ExportPreview& preview() const { return *m_preview; }
 
@@ -79,6 +80,7 @@ private:
     QSpinBox* m_supersample = nullptr;
     QComboBox* m_depth = nullptr;
     QCheckBox* m_transparent = nullptr;
+    QCheckBox* m_cage = nullptr;
     QComboBox* m_stereo = nullptr;
     QDoubleSpinBox* m_longest = nullptr;
     QSpinBox* m_resolution = nullptr;

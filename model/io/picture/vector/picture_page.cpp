@@ -284,9 +284,9 @@ std::unique_ptr<PictureWriter> pageWriter(OverlayMarks marks, PdfFile& file, con
 ShapeFileTitles titlesOf(ShapeFile file) {
     if (file == ShapeFile::Pdf)
         return {QT_TRANSLATE_NOOP("Text", "PDF: shapes for print"),
-                QT_TRANSLATE_NOOP("Text", "Picture in PDF (.pdf)")};
+                QT_TRANSLATE_NOOP("Text", "PDF: a page with the picture")};
     return {QT_TRANSLATE_NOOP("Text", "SVG: shapes for drawing programs"),
-            QT_TRANSLATE_NOOP("Text", "Picture in SVG (.svg)")};
+            QT_TRANSLATE_NOOP("Text", "SVG: a page with the picture")};
 }
 
 } // namespace io

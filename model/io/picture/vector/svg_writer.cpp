@@ -283,10 +283,11 @@ private:
         startElement("g");
         attribute("id", QStringLiteral("control-triangle"));
         attribute("fill", QStringLiteral("none"));
-        attribute("stroke", cageColour().name());
+        attribute("stroke", inkOn(m_fractal.appearance.background).name());
         attribute("stroke-width", QStringLiteral("1.5"));
         attribute("stroke-linejoin", QStringLiteral("round"));
         writePolygon("current", cage.current);
+        writeSvgMarks(m_xml, cornerMarks(m_fractal, m_camera));
         m_xml.writeEndElement();
     }
 

@@ -352,6 +352,28 @@ private slots:
         QCOMPARE(system().maps.size(), std::size_t{4});
     }
 
+    // A look at another entry costs no second search.
+    void suggestionsWaitWhileAnotherEntryIsShown() {
+        traceLeaf();
+        named<QDoubleSpinBox>(QStringLiteral("Seconds to search"))->setValue(0.5);
+        push("Suggest");
+        settle();
+        const auto* list = m_panel->findChild<view::SuggestionList*>();
+        const int count = list->count();
+        QVERIFY(count > 0 && !list->isHidden());
+        const document::EntryId own = m_document->currentId();
+        document::Entry other;
+        other.fractal = std::make_shared<const document::Fractal>(document::sierpinskiTriangle());
+        document::Inserted added = document::inserted(m_document->file(), {other}, own);
+        m_document->editFile(QStringLiteral("Add"), std::move(added.file), added.ids.front());
+        settle();
+        QVERIFY(list->isHidden());
+        m_document->setCurrent(own);
+        settle();
+        QCOMPARE(list->count(), count);
+        QTRY_VERIFY(!list->isHidden());
+    }
+
     // It marks the suggestion that is on the canvas, or none.
     void theHighlightFollowsTheHistory() {
         traceLeaf();
@@ -408,7 +430,7 @@ private slots:
         push("Suggest");
         QTest::mouseClick(named<QToolButton>(QStringLiteral("Remove")), Qt::LeftButton);
         QVERIFY(m_panel->isSettled());
-        QVERIFY2(said.last().first().toString().contains(QStringLiteral("target has changed")),
+        QVERIFY2(said.last().first().toString().contains(QStringLiteral("was cancelled")),
                  qPrintable(said.last().first().toString()));
         QVERIFY(!named<QPushButton>(QStringLiteral("Suggest"))->isEnabled());
         traceLeaf();

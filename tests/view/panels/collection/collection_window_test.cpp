@@ -90,6 +90,16 @@ private slots:
         model.removeFolder(QStringLiteral("/late"));
     }
 
+    // Kinds are not in names.
+    void kindsAreFound() {
+        for (const char* word : {"solid", "3d", "moving"}) {
+            search()->clear();
+            QTest::keyClicks(search(), QLatin1String(word));
+            const QAbstractItemModel* shown = grid().model();
+            QVERIFY2(shown->rowCount() > 5, word);
+        }
+    }
+
     void searchLooksEverywhere() {
         auto& themes = *m_window->findChild<QListWidget*>(QStringLiteral("themes"));
         themes.setCurrentRow(2); // Recent: nothing yet

@@ -108,7 +108,7 @@ private slots:
         printed.title = QStringLiteral("a/b");
         printed.steps[3].state.entry = QStringLiteral("gone");
         view::printLesson(printed, document::fileOf(document::sierpinskiTriangle()), &window,
-                          [](const QString&) {});
+                          [](const QString&, const QString&) {});
         auto* preview = window.findChild<QPrintPreviewDialog*>();
         QVERIFY(preview && preview->isVisible());
         QVERIFY(preview->windowTitle().contains(printed.title));

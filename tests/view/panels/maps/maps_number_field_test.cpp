@@ -5,6 +5,8 @@
 #include <QAction>
 #include <QLocale>
 #include <QSignalSpy>
+#include <QStatusTipEvent>
+#include <QStringList>
 #include <QTest>
 #include <QVBoxLayout>
 #include <QWheelEvent>
@@ -12,6 +14,22 @@
 #include <random>
 
 using view::NumberField;
+
+namespace {
+
+// What a main window would show in its status bar.
+class Tips : public QObject {
+public:
+    QStringList said;
+
+protected:
+    bool eventFilter(QObject*, QEvent* event) override {
+        if (event->type() == QEvent::StatusTip) said << static_cast<QStatusTipEvent*>(event)->tip();
+        return false;
+    }
+};
+
+} // namespace
 
 class NumberFieldTest : public QObject {
     Q_OBJECT
@@ -67,6 +85,21 @@ private slots:
             m_field->editValue(value);
             QCOMPARE(m_field->text().toDouble(), value);
         }
+    }
+
+    // Tab leaves what cannot be read, and the balloon goes with the focus.
+    void aRefusedNumberIsSaidInTheWindow() {
+        Tips tips;
+        m_window->installEventFilter(&tips);
+        m_field->editValue(2);
+        m_field->setAccessibleName(QStringLiteral("x of corner 1"));
+        m_field->setFocus();
+        QTest::keyClicks(m_field, QStringLiteral("hello"));
+        QTest::keyClick(m_field, Qt::Key_Tab);
+        QCOMPARE(m_field->value(), 2.0);
+        QCOMPARE(tips.said.size(), 1);
+        QVERIFY(tips.said.first().startsWith(QStringLiteral("x of corner 1:")));
+        QVERIFY(tips.said.first().contains(QStringLiteral("hello")));
     }
 
     void everyKeystrokeThatIsANumberIsReported() {
