@@ -27,6 +27,8 @@ struct PicturePlace {
 
     // The map from a picture that is 1 unit high, with its middle at the origin, to this one.
     ifs::AffineMap<2> map() const { return {height * ifs::Matrix<2>::Identity(), middle}; }
+
+    friend bool operator==(const PicturePlace&, const PicturePlace&) = default;
 };
 
 // A picture as the target of a collage. Lengths in pixels are of `mask`.

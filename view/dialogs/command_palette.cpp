@@ -148,7 +148,7 @@ QString british(QString word) {
     constexpr std::pair<const char*, const char*> spellings[] = {
         {"color", "colour"},      {"center", "centre"},         {"gray", "grey"},
         {"analyz", "analys"},     {"maximiz", "maximis"},       {"minimiz", "minimis"},
-        {"normaliz", "normalis"}, {"millimeter", "millimetre"},
+        {"normaliz", "normalis"}, {"millimeter", "millimetre"}, {"favor", "favour"},
     };
     for (const auto& [american, here] : spellings)
         if (word.startsWith(QLatin1String(american), Qt::CaseInsensitive))

@@ -98,6 +98,7 @@ void PasteTableDialog::askForColumns(document::Document* document, const QString
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setWindowTitle(tr("Order of the Columns"));
     dialog->m_accept->setText(tr("&Use This Order"));
+    dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Cancel)->setText(tr("&Keep as It Is"));
     dialog->open();
 }
 

@@ -168,8 +168,10 @@ template <int Dim>
 CanonicalSimplex<Dim> minimalCanonicalSimplexOfImages(std::span<const AffineMap<Dim>> images,
                                                       const SupportFunction<Dim>& support, double tolerance) {
     const auto all = simplicesOf(images, support, tolerance);
-    const double smallest = std::ranges::min(all, {}, &CanonicalSimplex<Dim>::leg).leg;
-    return *std::ranges::find_if(all, [=](const auto& c) { return c.leg <= smallest * (1 + 1e-12); });
+    const auto smallest = std::ranges::min(all, {}, &CanonicalSimplex<Dim>::leg);
+    return *std::ranges::find_if(all, [&](const auto& c) {
+        return c.leg <= smallest.leg * (1 + 1e-12) + c.error + smallest.error;
+    });
 }
 
 template <int Dim>

@@ -38,7 +38,8 @@ template <int Dim>
 CanonicalSimplex<Dim> canonicalSimplex(const SupportFunction<Dim>& support,
                                        const std::type_identity_t<Orientation<Dim>>& orientation,
                                        double tolerance = 0);
-// The one with the smallest leg; ties (relative 1e-12) go to the first.
+// The one with the smallest leg; ties (relative 1e-12, or within the errors) go to the first, so that every
+// tolerance chooses the same one of a symmetric attractor.
 template <int Dim>
 CanonicalSimplex<Dim> minimalCanonicalSimplex(const SupportFunction<Dim>& support, double tolerance = 0);
 

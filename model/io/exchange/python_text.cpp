@@ -25,8 +25,9 @@ QByteArray escapedForPython(const QByteArray& text) {
 } // namespace
 
 QByteArray pythonText(const document::Fractal& fractal) {
-    return "import barycage as bc\n\nentry = bc.parse(\"\"\"\n" + escapedForPython(writeEntry(fractal)) +
-           "\"\"\")[0]\n";
+    return "# Needs the module of Barycage: ./dev python builds it and says where it is.\n"
+           "import barycage as bc\n\nentry = bc.parse(\"\"\"\n" +
+           escapedForPython(writeEntry(fractal)) + "\"\"\")[0]\nentry  # a notebook shows it in its cage\n";
 }
 
 } // namespace io

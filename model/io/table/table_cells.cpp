@@ -171,6 +171,17 @@ QString withoutOrnaments(QString text) {
     return text;
 }
 
+// Words with at most two numbers, whose commas part neither cells nor digits.
+static bool isSentence(const QString& line) {
+    qsizetype words = 0, numbers = 0;
+    for (const QStringView part : QStringView(line).tokenize(u' ')) {
+        const auto letters = std::count_if(part.begin(), part.end(), [](QChar c) { return c.isLetter(); });
+        words += letters >= 3;
+        numbers += letters == 0 && std::any_of(part.begin(), part.end(), [](QChar c) { return c.isDigit(); });
+    }
+    return words >= 3 && numbers <= 2;
+}
+
 QList<Dialect> dialectsOf(QStringView text) {
     constexpr qsizetype minSeparators = 5;
     bool semicolons = false;
@@ -183,6 +194,7 @@ QList<Dialect> dialectsOf(QStringView text) {
         const qsizetype comment = line.indexOf(u';');
         const QString content =
             withoutWords(line.first(comment < 0 ? line.size() : comment).toString().simplified());
+        if (isSentence(content)) continue;
         commas = commas || content.contains(u',');
         for (qsizetype i = content.indexOf(u' '); i > 0 && !blanks; i = content.indexOf(u' ', i + 1))
             blanks = content[i - 1] != u',' && i + 1 < content.size() && content[i + 1] != u',';

@@ -4,6 +4,7 @@
 #include "io/text/plain_signs.h"
 
 #include <QRegularExpression>
+#include <QSet>
 
 #include <algorithm>
 #include <array>
@@ -189,6 +190,18 @@ bool isSum(const Row& cells) {
                                          QRegularExpression::CaseInsensitiveOption |
                                              QRegularExpression::UseUnicodePropertiesOption);
     return cells.size() <= 3 && cells.first().text.contains(word);
+}
+
+bool isProse(const Row& cells, const Dialect& dialect, int fewestNumbers) {
+    constexpr int leastWords = 3, leastLetters = 3, mostNumbers = 2;
+    int numbers = 0;
+    QSet<QString> words;
+    for (const Cell& cell : cells)
+        if (numberIn(cell, dialect))
+            ++numbers;
+        else if (std::ranges::count_if(cell.text, [](QChar c) { return c.isLetter(); }) >= leastLetters)
+            words.insert(cell.text.toLower());
+    return words.size() >= leastWords && numbers >= fewestNumbers && numbers <= mostNumbers;
 }
 
 bool countMaps(const QList<Row>& table, const Dialect& dialect) {

@@ -19,7 +19,7 @@ namespace {
 using document::Problem;
 
 constexpr qsizetype maxRow =
-    maxTableRows + 1; // label and one cell for each map, in a table with a column for each
+    maxTableRows + 1; // label and a cell for each map, in a table with columns for them
 constexpr qsizetype maxProblems = 10;
 
 QString plainLinesOf(QString text) {
@@ -62,9 +62,8 @@ public:
             }
         }
         if (m_table.rows.empty() && m_table.spaceRows.empty() && m_table.problems.isEmpty())
-            fail({},
-                 Text::tr(
-                     "There are no rows of numbers: a row consists of a b c d e f and optionally a weight."));
+            fail({}, Text::tr("There are no rows of numbers: a row consists of a b c d e f and optionally a "
+                              "weight."));
         if (std::ranges::count(m_columns, TableColumn::Cumulative) > 0) takeDifferences(m_table.rows);
         if (m_space == SpaceHeader::Cumulative) takeDifferences(m_table.spaceRows);
         return std::move(m_table);
@@ -93,7 +92,8 @@ private:
             Row cells =
                 cellsOf(QStringView(m_text).sliced(m_next, end - m_next), ++m_line, m_dialect, maxRow);
             cells = withSignsJoined(std::move(cells), m_dialect);
-            if (!cells.isEmpty() && !isRemark(cells) && !isRule(cells) && !isSum(cells))
+            if (!cells.isEmpty() && !isRemark(cells) && !isRule(cells) && !isSum(cells) &&
+                !isProse(cells, m_dialect, 1))
                 found << std::move(cells);
             m_next = end + 1;
         }
@@ -135,8 +135,7 @@ private:
         QStringList names;
         for (Row& row : table) {
             if (row.size() != table.first().size()) return std::nullopt;
-            names << nameOfRow(row);
-            row.first().text = names.last();
+            names << (row.first().text = nameOfRow(row));
         }
         if (!nameAllColumns(names)) return std::nullopt;
         QList<Row> turned(table.first().size());
@@ -194,7 +193,9 @@ private:
     }
 
     void readHeader(const Row& cells) {
-        if (!m_table.rows.empty() || !m_table.spaceRows.empty() || m_isOrderKnown)
+        const bool hasMaps = !m_table.rows.empty() || !m_table.spaceRows.empty();
+        if (hasMaps && isProse(cells, m_dialect, 0)) return;
+        if (hasMaps || m_isOrderKnown)
             return fail(cells.first(), Text::tr("“%1” is not a number.").arg(cells.first().text));
         m_header = cells;
         if (m_chosen) return pickForOrder();
@@ -232,8 +233,7 @@ private:
         Picks picks{m_columns, {}, {}, names.size()};
         for (qsizetype i = 0; i < names.size(); ++i)
             if (tableColumn(names[i])) picks.fields.push_back(i);
-        m_isToPick = !fits(picks);
-        if (!m_isToPick) take(std::move(picks));
+        if (m_isToPick = !fits(picks); !m_isToPick) take(std::move(picks));
     }
 
     bool fits(const Picks& picks) const {
@@ -261,7 +261,7 @@ private:
         Row chosen;
         for (const qsizetype field : picks.fields) {
             const qsizetype at = field + shift;
-            const bool isLast = field == picks.fields.back() && mayEndEarly;
+            const bool isLast = mayEndEarly && field == picks.fields.back();
             if (at >= fields.size() || fields[at].first().text.isEmpty()) {
                 if (isLast) break;
                 return fail(at < fields.size() ? fields[at].first() : cells.first(),
@@ -334,8 +334,8 @@ private:
         m_table.isTable = true;
         const QString sentence = Text::tr("The header does not say which column is a, b, c, d, e and f; "
                                           "choose the order of the columns.");
-        const bool isSaid = !m_table.problems.isEmpty() && m_table.problems.last().message == sentence;
-        if (!isSaid) fail(m_header.first(), sentence);
+        if (m_table.problems.isEmpty() || m_table.problems.last().message != sentence)
+            fail(m_header.first(), sentence);
     }
 
     void readRow(const Row& all) {
@@ -456,8 +456,8 @@ private:
     }
 
     static QString notANumber(const Cell& cell) {
-        return cell.text.isEmpty() ? Text::tr("A cell of this row is empty.")
-                                   : Text::tr("“%1” is not a decimal number.").arg(cell.text.left(40));
+        if (cell.text.isEmpty()) return Text::tr("A cell of this row is empty.");
+        return Text::tr("“%1” is not a decimal number.").arg(cell.text.left(40));
     }
 
     void addRow(const Row& cells) {

@@ -59,7 +59,7 @@ ExportOutcome exportStolen(const StealExport& what, const QString& path, const P
         outcome.stopped = ended == attractor::TheftOutcome::Stopped;
         if (ended == attractor::TheftOutcome::CutShort)
             outcome.failure =
-                Text::tr("An exact picture of this system would take too long. Draw it with samples.");
+                Text::tr("An exact picture of this system would take too long. Draw it with points.");
         else if (!outcome.failure && !outcome.stopped)
             outcome.failure = writer.finish();
         return outcome;

@@ -4,6 +4,8 @@
 #include "app/gui/window_fixture.h"
 #include "attractor/space_systems.h"
 #include "dialogs/command_palette.h"
+#include "dialogs/export/export_dialog.h"
+#include "dialogs/export/export_size_editor.h"
 #include "dialogs/export/space_export_dialog.h"
 #include "dialogs/guide.h"
 #include "io/solid/mesh_writer.h"
@@ -31,6 +33,7 @@ private slots:
     void someWordsComeFirst();
     void americanSpellingFindsTheSame();
     void aMeshIsExportedWhereThereIsASolid();
+    void machinesGetAnOutline();
     void theGuideOpensWithTheWords();
 
 private:
@@ -195,6 +198,21 @@ void CommandSynonymsTest::aMeshIsExportedWhereThereIsASolid() {
     QVERIFY(dialog);
     QVERIFY(view::chosenValue<view::SpaceExportDialog::Format>(dialog->findChild<QComboBox*>()) ==
             view::SpaceExportDialog::Format(io::MeshFormat::Obj));
+}
+
+// Whatever was exported last.
+void CommandSynonymsTest::machinesGetAnOutline() {
+    for (const char* word : {"laser", "engrave"}) {
+        run(QLatin1String(word));
+        auto* dialog = m_window->findChild<view::ExportDialog*>();
+        QVERIFY2(dialog, word);
+        QCOMPARE(view::chosenValue<io::ShapeStyle>(dialog->findChild<QComboBox*>(QStringLiteral("style"))),
+                 io::ShapeStyle::Outline);
+        QVERIFY(!dialog->findChild<QComboBox*>(QStringLiteral("style"))->isHidden());
+        QVERIFY(dialog->findChild<view::ExportSizeEditor*>()->isOnPaper());
+        dialog->close();
+        QTRY_VERIFY(!m_window->findChild<view::ExportDialog*>());
+    }
 }
 
 void CommandSynonymsTest::theGuideOpensWithTheWords() {

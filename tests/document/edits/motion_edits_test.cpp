@@ -80,6 +80,7 @@ private slots:
     void nothingMovesWithoutMaps();
     void thePaletteIsSeen();
     void windSwaysAboutTheLowestPoint();
+    void windIsGentleWhereCopiesHardlyShrink();
     void endlessZoomsEndWhereTheyBegan();
     void endlessZoomsTurnAndMirror_data();
     void endlessZoomsTurnAndMirror();
@@ -104,6 +105,20 @@ void MotionEditsTest::loopsKeepTheirAttractorAndClose() {
             QVERIFY(frameAt(*moving, animation::moment(facts->length / 3)).fractal != start);
         }
     }
+}
+
+// The turn of the main map adds up along a stem of many copies.
+void MotionEditsTest::windIsGentleWhereCopiesHardlyShrink() {
+    const auto strengthOn = [](double ratio) {
+        Fractal fractal = sierpinskiTriangle();
+        plane(fractal)->system.maps.front().map = ifs::affineMap(ratio, 0, 0, ratio, 0, 0.01);
+        const auto moving = withWind(fractal, animation::swayPresets().front());
+        return std::get<animation::Sway<2>>(plane(*moving)->animation->motions.front()).strength;
+    };
+    QCOMPARE(strengthOn(0.5), animation::swayPresets().front().strength);
+    QCOMPARE(strengthOn(0.85), animation::swayPresets().front().strength); // as in a fern
+    QVERIFY(strengthOn(0.965) < 0.4 * animation::swayPresets().front().strength);
+    QVERIFY(strengthOn(0.965) > 0);
 }
 
 void MotionEditsTest::motionsKeepTheLoopOfKeys() {

@@ -80,6 +80,22 @@ class ExtentTest : public QObject {
     Q_OBJECT
 
 private slots:
+    // Two legs of a mirrored attractor are equal, whatever is known of them.
+    void everyToleranceChoosesTheSameSimplex() {
+        const Maps2 coral{
+            affineMap(0, 0, 0, 0.3544864656725691, 0, 0),
+            affineMap(0.598163139444189, -0.2789280527488616, 0.2789280527488616, 0.598163139444189, 0, 1),
+            affineMap(0.598163139444189, 0.2789280527488616, -0.2789280527488616, 0.598163139444189, 0, 1),
+            affineMap(0.10260604299770064, -0.2819077862357725, 0.2819077862357725, 0.10260604299770064, 0,
+                      0.55),
+            affineMap(0.10260604299770064, 0.2819077862357725, -0.2819077862357725, 0.10260604299770064, 0,
+                      0.55)};
+        const auto support = supportOf<2>(coral);
+        const auto exact = minimalCanonicalSimplex(support).orientation;
+        for (double tolerance = 1e-12; tolerance < 1e-3; tolerance *= 3)
+            QCOMPARE(minimalCanonicalSimplex(support, tolerance).orientation, exact);
+    }
+
     void mapleSimplices() {
         compare(maple(),
                 {{{1, 1}, 12.562310339608054, {-3.30009395647353, -3.17305096113017}},

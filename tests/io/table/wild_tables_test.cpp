@@ -76,6 +76,13 @@ void WildTablesTest::printedTables_data() {
                      " 0.1  0.0   0.0  0.5  1.0  0.0  0.75\n");
     addWild("BASIC", "10 REM TWO MAPS, 1991\n20 DATA .5,.1,-.2,.4,3,7,.25\n30 DATA .1,0,0,.5,1,0,.75\n");
     addWild("a sum below", "a b c d e f p\n.5 .1 -.2 .4 3 7 .25\n.1 0 0 .5 1 0 .75\nSum: 1.00\n");
+    addWild("a caption with a number",
+            "Table 1. Coefficients for the Barnsley fern\n\nw\ta\tb\tc\td\te\tf\tp\n"
+            "ƒ1\t.5\t.1\t−.2\t.4\t3\t7\t.25\nƒ2\t.1\t0\t0\t.5\t1\t0\t.75\n");
+    addWild("a source below", "0.5\t0.1\t-0.2\t0.4\t3\t7\t.25\n0.1\t0\t0\t0.5\t1\t0\t.75\n\n"
+                              "Source: M. Barnsley, Fractals Everywhere (1988), p. 86\n");
+    addWild("a sentence below", "a b c d e f p\n.5 .1 -.2 .4 3 7 .25\n.1 0 0 .5 1 0 .75\n\n"
+                                "The weights were chosen by hand.\n");
     addWild("a listing on a page", "<html><body><pre>\na b c d e f p\n.5 .1 &minus;.2 .4 3 7 <b>.25</b>\n"
                                    ".1 0 0 .5 1 0 .75\n</pre></body></html>\n");
     addWild("bullets", "• .5, .1, -.2, .4, 3, 7, .25\n• .1, 0, 0, .5, 1, 0, .75\n");

@@ -205,11 +205,11 @@ void CollagePanel::connectParts() {
         bringTargetIntoView();
         m_measured.reset();
         forgetResults();
-        m_measuring.cancel();    // measures another target
-        m_suggestions->forget(); // suggestions for another target
+        m_measuring.cancel(); // measures another target
+        showSuggestions();
         if (m_running) {
             cancel();
-            emit message(tr("The target has changed, so the fit was cancelled."));
+            emit message(tr("Another picture is shown, so the search for the last one was cancelled."));
         }
         updatePossible();
         measure();
@@ -236,7 +236,7 @@ void CollagePanel::follow(const document::Change& change) {
     using document::Change;
     if (change.parts & (Change::Current | Change::File)) {
         cancel();
-        if (m_suggestedFor != m_target->traced()) m_suggestions->forget();
+        showSuggestions();
     }
     if (change.parts & Change::Name) showLocks();
     if (!(change.parts & (Change::System | Change::Cage | Change::Current | Change::File))) return;
@@ -249,6 +249,15 @@ void CollagePanel::follow(const document::Change& change) {
         showLocks();
         measure();
     }
+}
+
+// They wait where an entry without a picture is shown, and go when another picture comes.
+void CollagePanel::showSuggestions() {
+    const auto& traced = m_target->traced();
+    const bool isTheirs = traced && m_suggestedFor && traced->mask == m_suggestedFor->mask &&
+                          traced->place == m_suggestedFor->place;
+    if (traced && !isTheirs) m_suggestions->forget();
+    m_suggestions->setVisible(isTheirs && m_suggestions->count() > 0);
 }
 
 void CollagePanel::measure(document::Detail detail) {

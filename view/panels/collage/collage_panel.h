@@ -65,6 +65,7 @@ private:
     void connectParts();
     void bringTargetIntoView();
     void follow(const document::Change& change);
+    void showSuggestions();
     void measure(document::Detail detail = document::Detail::Full);
     void showMeasured(std::optional<document::MeasuredFractal> measured);
     void showRefinement(const Refinement& refinement);

@@ -254,7 +254,7 @@ void TargetBox::fillEntries(QMenu* menu) {
 }
 
 void TargetBox::choose() {
-    const QString path = choosePictureToOpen(this, tr("Choose a Target"));
+    const QString path = choosePictureToOpen(this, tr("Choose a Picture"));
     if (!path.isEmpty()) read(path);
 }
 

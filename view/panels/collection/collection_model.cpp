@@ -226,9 +226,12 @@ QVariant CollectionModel::entryData(const Row& row, int role) const {
         return int(m_recent.indexOf(favouriteKey(row)));
     case MovesRole:
         return row.moves;
-    case SearchRole:
-        return (QStringList{fractal.name, fractal.headerComment, title(), row.theme} + fractal.comments)
-            .join(QLatin1Char('\n'));
+    case SearchRole: {
+        QStringList words{fractal.name, fractal.headerComment, title(), row.theme};
+        if (document::space(fractal)) words << tr("solid 3D space", "words of a search");
+        if (row.moves) words << tr("moving animation motion", "words of a search");
+        return (words + fractal.comments).join(QLatin1Char('\n'));
+    }
     default:
         return {};
     }

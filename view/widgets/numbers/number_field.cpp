@@ -4,8 +4,10 @@
 #include "io/text/number.h"
 #include "widgets/text/tooltip_text.h"
 
+#include <QCoreApplication>
 #include <QKeyEvent>
 #include <QPainter>
+#include <QStatusTipEvent>
 #include <QToolTip>
 #include <QValidator>
 #include <QWheelEvent>
@@ -153,7 +155,11 @@ void NumberField::step(int count, double size) {
 
 void NumberField::finish() {
     if (!m_edited) return;
-    if (!problem().isEmpty()) {
+    if (const QString reason = problem(); !reason.isEmpty()) {
+        // In the status bar of the window, where it stays when the field has lost the focus.
+        const QString name = accessibleName().isEmpty() ? text() : accessibleName();
+        QStatusTipEvent kept(tr("%1: the number stays as it was. %2").arg(name, reason));
+        QCoreApplication::sendEvent(this, &kept);
         abandon();
         return;
     }

@@ -148,13 +148,26 @@ Fractal showingPalette(Fractal entry) {
     return entry;
 }
 
+// A copy that hardly shrinks repeats its turn 1/(1 − s) times: a breeze would bend such a plant like a storm.
+template <int Dim> double gentle(double strength, const ifs::IteratedFunctionSystem<Dim>& system) {
+    constexpr double copies = 10; // that bend as strongly as the preset says
+    double largest = 0;
+    for (const ifs::WeightedMap<Dim>& each : system.maps)
+        if (each.enabled)
+            largest = std::max(largest, std::pow(std::abs(ifs::determinant<Dim>(each.map.linear)), 1.0 / Dim));
+    const double share = std::clamp(copies * (1 - largest), 0.05, 1.0);
+    return std::round(10 * strength * share) / 10; // degrees, as a field shows them
+}
+
 } // namespace
 
 std::optional<Fractal> withWind(const Fractal& entry, const animation::SwayPreset& preset,
                                 const std::stop_token& stop) {
     return ofItsDimension(entry, [&]<int Dim>(const Shape<Dim>& shape) {
+        animation::SwayPreset wind = preset;
+        wind.strength = gentle<Dim>(preset.strength, shape.system);
         return asStrongAsCanBe(
-            withMotion<Dim>(entry, animation::swayOf<Dim>(preset, {}, root<Dim>(entry, shape))), stop);
+            withMotion<Dim>(entry, animation::swayOf<Dim>(wind, {}, root<Dim>(entry, shape))), stop);
     });
 }
 
