@@ -32,9 +32,8 @@ constexpr CommandSynonyms synonyms[] = {
          "view::CommandSynonyms",
          "dimension proof certificate | prove certified Hausdorff area measure overlap connected")},
     {"MainWindow", "&Collection",
-     QT_TRANSLATE_NOOP(
-         "view::CommandSynonyms",
-         "gallery examples library favourites leaf tree fern snowflake dragon sponge")},
+     QT_TRANSLATE_NOOP("view::CommandSynonyms",
+                       "gallery examples library favourites leaf tree fern snowflake dragon sponge")},
     {"MainWindow", "Links",
      QT_TRANSLATE_NOOP("view::CommandSynonyms", "linked maps graph-directed which follows which forbidden")},
     {"MainWindow", "Appearance",
