@@ -89,8 +89,8 @@ private:
     Toolbox m_tools;
     CanvasInput m_input;
     CornersInView m_corners;
-    QTimer m_hold;                   // running while painting waits for a frame
-    QString m_said;                  // text about the part with the focus, while the status bar shows it
+    QTimer m_hold;  // running while painting waits for a frame
+    QString m_said; // text about the part with the focus, while the status bar shows it
 };
 
 } // namespace view

@@ -50,8 +50,9 @@ bool mayEnd(QWidget* window, SessionWindow::Leaving leaving) {
     if (queue()->unfinished() == 0 || queue()->isPaused() || !isLast) return true;
     QMessageBox box(QMessageBox::Question, Text::tr("Exports are not finished"), {}, QMessageBox::Cancel,
                     window);
-    box.setInformativeText(Text::tr("Barycage closes when they are finished. Closed now, it continues with them at its next start.",
-                                    nullptr, queue()->unfinished()));
+    box.setInformativeText(Text::tr(
+        "Barycage closes when they are finished. Closed now, it continues with them at its next start.",
+        nullptr, queue()->unfinished()));
     const QPushButton* close = box.addButton(Text::tr("&Close"), QMessageBox::AcceptRole);
     box.setDefaultButton(QMessageBox::Cancel);
     const auto follow = [&box] {

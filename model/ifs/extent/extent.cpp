@@ -169,9 +169,8 @@ CanonicalSimplex<Dim> minimalCanonicalSimplexOfImages(std::span<const AffineMap<
                                                       const SupportFunction<Dim>& support, double tolerance) {
     const auto all = simplicesOf(images, support, tolerance);
     const auto smallest = std::ranges::min(all, {}, &CanonicalSimplex<Dim>::leg);
-    return *std::ranges::find_if(all, [&](const auto& c) {
-        return c.leg <= smallest.leg * (1 + 1e-12) + c.error + smallest.error;
-    });
+    return *std::ranges::find_if(
+        all, [&](const auto& c) { return c.leg <= smallest.leg * (1 + 1e-12) + c.error + smallest.error; });
 }
 
 template <int Dim>

@@ -154,7 +154,8 @@ template <int Dim> double gentle(double strength, const ifs::IteratedFunctionSys
     double largest = 0;
     for (const ifs::WeightedMap<Dim>& each : system.maps)
         if (each.enabled)
-            largest = std::max(largest, std::pow(std::abs(ifs::determinant<Dim>(each.map.linear)), 1.0 / Dim));
+            largest =
+                std::max(largest, std::pow(std::abs(ifs::determinant<Dim>(each.map.linear)), 1.0 / Dim));
     const double share = std::clamp(copies * (1 - largest), 0.05, 1.0);
     return std::round(10 * strength * share) / 10; // degrees, as a field shows them
 }
