@@ -76,7 +76,7 @@ def test_every_motion_of_the_collection():
     for entry in moving:
         middle = entry.at(entry.animation.frames // 3)
         lines = [line for line in str(entry).splitlines() if "barycage: track" in line or "barycage: motion" in line]
-        only_looks = lines == ["; barycage: track camera"]
+        only_looks = lines == ["; barycage: track camera"] or (entry.space_dimension == 3 and lines == ["; barycage: motion orbit"])
         assert middle.animation is None and (middle != entry.at(0)) != only_looks, entry.name
         assert len(middle.maps) == len(entry.maps)
 
