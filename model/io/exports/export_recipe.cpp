@@ -174,7 +174,7 @@ SpaceExport exportOf(const SpaceRecipe& recipe, const document::Fractal& fractal
     picture.depth = recipe.depth;
     picture.dotsPerInch = recipe.dotsPerInch;
     PictureOverlay overlay;
-    overlay.cage = recipe.showsCage && !isNumbers && picture.stereo == Stereo::None;
+    overlay.cage = overlay.isCageInked = recipe.showsCage && !isNumbers && picture.stereo == Stereo::None;
     if (overlay.cage) picture.marks = spaceOverlayMarks(fractal, camera, overlay);
     return picture;
 }

@@ -58,10 +58,16 @@ void paint(QPainter& painter, const OverlayMarks& marks) {
     }
 }
 
+static bool isDark(const attractor::Rgba& background) {
+    return background.alpha == 255 && qGray(background.red, background.green, background.blue) < 128;
+}
+
 QColor inkOn(const attractor::Rgba& background) {
-    const bool isDark =
-        background.alpha == 255 && qGray(background.red, background.green, background.blue) < 128;
-    return isDark ? QColor(214, 224, 240) : QColor(28, 36, 50);
+    return isDark(background) ? QColor(214, 224, 240) : QColor(28, 36, 50);
+}
+
+QColor haloOn(const attractor::Rgba& background) {
+    return isDark(background) ? Qt::black : Qt::white;
 }
 
 OverlayMarks cornerMarks(const document::Fractal& fractal, const attractor::Camera& camera) {
@@ -73,14 +79,14 @@ OverlayMarks cornerMarks(const document::Fractal& fractal, const attractor::Came
         OverlayMark disc;
         disc.centre = {pixel.x(), pixel.y()};
         disc.radius = std::max(6.0, share * camera.height);
-        disc.fill = Qt::white;
-        disc.stroke = Qt::black;
+        disc.fill = haloOn(fractal.appearance.background);
+        disc.stroke = inkOn(fractal.appearance.background);
         disc.width = disc.radius / 6;
         OverlayMark digits;
         digits.centre = disc.centre;
         digits.word = QString::number(i + 1);
         digits.letterSize = 1.1 * disc.radius;
-        digits.fill = Qt::black;
+        digits.fill = disc.stroke;
         marks.push_back(std::move(disc));
         marks.push_back(std::move(digits));
     }

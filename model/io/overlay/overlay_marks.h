@@ -34,7 +34,8 @@ using OverlayMarks = std::vector<OverlayMark>;
 void paint(QPainter& painter, const OverlayMarks& marks);
 
 QColor cageColour();
-QColor inkOn(const attractor::Rgba& background); // colour of lines that are seen on it
+QColor inkOn(const attractor::Rgba& background);  // colour of lines that are seen on it
+QColor haloOn(const attractor::Rgba& background); // colour behind them
 // The corners of the cage with their numbers, as on the canvas.
 OverlayMarks cornerMarks(const document::Fractal& fractal, const attractor::Camera& camera);
 // The control polygon, the rest polygon dashed where it differs.

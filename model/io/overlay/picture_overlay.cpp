@@ -20,10 +20,6 @@ QColor colourOf(const attractor::Rgba& colour) {
     return {colour.red, colour.green, colour.blue};
 }
 
-bool isDark(const attractor::Rgba& background) {
-    return background.alpha == 255 && qGray(background.red, background.green, background.blue) < 128;
-}
-
 QPointF middleOf(const QPolygonF& polygon) {
     QPointF sum;
     for (const QPointF& point : polygon)
@@ -37,9 +33,8 @@ public:
     Shapes(const document::Fractal& fractal, const attractor::Camera& camera, const PictureOverlay& overlay,
            const document::MapFaces& faces)
         : m_camera(camera), m_width(std::max(1.5, std::min(camera.width, camera.height) / 500.0)) {
-        const bool onDark = isDark(fractal.appearance.background);
         m_ink = inkOn(fractal.appearance.background);
-        m_halo = onDark ? QColor(0, 0, 0) : QColor(255, 255, 255);
+        m_halo = haloOn(fractal.appearance.background);
         if (overlay.maps || overlay.fixedPoints || overlay.numbers) findMaps(fractal, faces);
         if (overlay.maps) std::ranges::for_each(m_maps, [this](const Map& map) { addMap(map); });
         if (overlay.hull) addHull(fractal);

@@ -38,9 +38,8 @@ public:
     Marks(const document::Fractal& fractal, const attractor::OrbitCamera& camera)
         : m_camera(camera), m_width(std::max(1.5, std::min(camera.size.width, camera.size.height) / 500.0)) {
         const attractor::Rgba ground = document::backgroundInSpace(fractal);
-        const bool onDark = ground.alpha == 255 && qGray(ground.red, ground.green, ground.blue) < 128;
-        m_ink = onDark ? QColor(214, 224, 240) : QColor(28, 36, 50);
-        m_halo = onDark ? QColor(0, 0, 0) : QColor(255, 255, 255);
+        m_ink = inkOn(ground);
+        m_halo = haloOn(ground);
     }
 
     void addLines(std::span<const ifs::Vector<3>> points, std::span<const std::array<int, 2>> edges,

@@ -230,11 +230,11 @@ attractor::OrbitCamera SpaceExportDialog::camera() const {
     const int saved = chosenValue<int>(m_section);
     if (saved == theCanvas) return m_camera;
     if (saved == theAttractor) {
-        constexpr double margin = 0.02;
         attractor::OrbitCamera whole = m_camera;
         whole.size = {m_size->pixels().width(), m_size->pixels().height()};
-        return m_cage->isChecked() ? document::fittedTo(m_fractal, whole, margin)
-                                   : document::fittedToPicture(m_fractal, whole, margin);
+        // The numbers of the corners take room.
+        return m_cage->isChecked() ? document::fittedTo(m_fractal, whole, 0.06)
+                                   : document::fittedToPicture(m_fractal, whole, 0.02);
     }
     auto camera = std::get<attractor::OrbitCamera>(m_views[std::size_t(saved)].camera);
     camera.size = m_camera.size;
