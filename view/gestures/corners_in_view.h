@@ -4,6 +4,7 @@
 #include "document/document.h"
 
 #include <functional>
+#include <utility>
 
 namespace view {
 

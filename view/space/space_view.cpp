@@ -8,6 +8,7 @@
 #include "io/report/figure_error.h"
 #include "space/space_symmetry.h"
 
+#include <QApplication>
 #include <QContextMenuEvent>
 #include <QGraphicsScene>
 #include <QMenu>
@@ -65,9 +66,12 @@ SpaceView::SpaceView(document::Document* document, SolidBridge* bridge, QWidget*
       m_input(document, m_navigation,
               {*m_cageItem, m_maps, m_branch, *m_mapItem, m_definition, *m_slice, *m_symmetry, *m_ball,
                *m_arrows}),
-      m_corners(document,
-                {[this] { return areCornersInView(); }, [this] { return wasShown(); },
-                 [this] { return hasFocus() || m_input.isHolding(); }, [this] { m_navigation.fit(); }}),
+      m_corners(document, {[this] { return areCornersInView(); }, [this] { return wasShown(); },
+                           [this] {
+                               return m_input.isHolding() ||
+                                      qobject_cast<SpaceView*>(QApplication::focusWidget()) != nullptr;
+                           },
+                           [this] { m_navigation.fit(); }}),
       m_around(cornersOfCut(document->fractal())),
       m_orbit(document->orbit()) {
     showScene(new QGraphicsScene(this)); // owner of the items

@@ -163,10 +163,12 @@ void LessonCommands::createActions() {
     };
     connect(m_notebook, &view::LessonNotebook::changed, play, update);
     connect(m_player, &LessonPlayer::playingChanged, play, update);
-    connect(m_notebook->history(), &QUndoStack::cleanChanged, this, [this](bool isClean) {
-        if (m_dock)
-            m_dock->setWindowTitle(factsOf(Panel::Lesson).title +
-                                   (isClean ? QString() : QStringLiteral("*")));
+    connect(m_notebook, &view::LessonNotebook::changed, this, [this] {
+        if (!m_dock) return;
+        const bool isUnsaved = m_notebook->isModified() && !m_notebook->isEmpty();
+        const QString& title = factsOf(Panel::Lesson).title;
+        m_dock->setWindowTitle(isUnsaved ? title + u'*' : title);
+        m_dock->toggleViewAction()->setText(title); // of the menu
     });
     update();
 }
@@ -190,7 +192,7 @@ void LessonCommands::connectPanel() {
     connect(m_panel, &LessonPanel::saveRequested, this, [this] { save(); });
     connect(m_notebook, &view::LessonNotebook::changed, this, [this] {
         m_isGivenUp = false;
-        if (m_names.isEmpty()) m_names = namesOfEntries();
+        if (m_named.isEmpty()) m_named = namedEntries();
     });
 }
 
@@ -219,21 +221,30 @@ void LessonCommands::setFiles(FileCommands* commands, OpenFile* file) {
 // An entry that is renamed stays the one that steps show.
 void LessonCommands::followNames(const document::Change& change) {
     using document::Change;
-    if (m_names.isEmpty() || !(change.parts & (Change::Name | Change::Entries | Change::File))) return;
-    const QHash<document::EntryId, QString> before = std::exchange(m_names, namesOfEntries());
+    const bool areNames = change.parts & (Change::Name | Change::Entries | Change::File);
+    if (change.live || m_named.isEmpty() || !areNames) return;
+    const QHash<QString, document::EntryId> before = std::exchange(m_named, namedEntries());
     if (change.parts & Change::File) return;
-    for (auto name = m_names.cbegin(); name != m_names.cend(); ++name)
-        if (const auto old = before.constFind(name.key()); old != before.cend() && *old != *name)
-            m_notebook->followRenamed(*old, *name);
+    QHash<document::EntryId, QString> formerly;
+    for (auto named = before.cbegin(); named != before.cend(); ++named)
+        formerly.insert(named.value(), named.key());
+    QHash<QString, QString> renamed;
+    for (const document::Entry& entry : context().document->file().entries) {
+        const QString old = formerly.value(entry.id);
+        const QString name = document::lessonLine(entry.fractal->name);
+        if (!old.isEmpty() && old != name) renamed.insert(old, name);
+    }
+    m_notebook->followRenamed(renamed);
 }
 
-// As steps hold them; empty without a lesson.
-QHash<document::EntryId, QString> LessonCommands::namesOfEntries() const {
-    QHash<document::EntryId, QString> names;
-    if (m_notebook->isEmpty()) return names;
+// The entry that steps with a name show: the first; none without a lesson.
+QHash<QString, document::EntryId> LessonCommands::namedEntries() const {
+    QHash<QString, document::EntryId> named;
+    if (m_notebook->isEmpty()) return named;
     for (const document::Entry& entry : context().document->file().entries)
-        names.insert(entry.id, document::lessonLine(entry.fractal->name));
-    return names;
+        if (const QString name = document::lessonLine(entry.fractal->name); !named.contains(name))
+            named.insert(name, entry.id);
+    return named;
 }
 
 void LessonCommands::setPanels(const Panels& panels) {
@@ -377,6 +388,7 @@ void LessonCommands::offerToFind(const QString& path, io::LessonFile lesson) {
             return;
         recent_files::add(path);
         showPanel();
+        showFirstEntry();
         context().messages->say(tr("The lesson now refers to %1. Save the lesson to keep this change.")
                                     .arg(QFileInfo(found).fileName()));
     };
@@ -484,13 +496,14 @@ bool LessonCommands::saveWithFractals(const QString& lesson) {
     return saved && saveTo(lesson, *saved);
 }
 
-// One command saves both, once it is known where the lesson belongs.
+// One command saves both, once it is known where the lesson belongs: beside these fractals.
 void LessonCommands::follow(const QString& ofFile) {
-    if (m_notebook->isEmpty() || !m_notebook->isModified() || m_isGivenUp) return;
-    if (m_notebook->path().isEmpty())
+    if (m_notebook->isEmpty() || !m_notebook->isModified()) return;
+    const QString& path = m_notebook->path();
+    if (path.isEmpty() || absolutePath(path, m_notebook->lesson().file) != m_file->path())
         context().messages->say(ofFile + u' ' + tr("The lesson is not saved yet: choose Save Lesson."));
     else
-        saveTo(m_notebook->path(), ofFile);
+        saveTo(path, ofFile);
 }
 
 bool LessonCommands::save() {

@@ -69,7 +69,7 @@ private:
     void print();
     void fileChanged();
     void followNames(const document::Change& change);
-    QHash<document::EntryId, QString> namesOfEntries() const;
+    QHash<QString, document::EntryId> namedEntries() const;
     bool isUnused() const;
 
     LessonParts m_parts;
@@ -79,7 +79,7 @@ private:
     QDockWidget* m_dock = nullptr;
     FileCommands* m_commands = nullptr;
     OpenFile* m_file = nullptr;
-    QHash<document::EntryId, QString> m_names; // namesOfEntries() before the next change
+    QHash<QString, document::EntryId> m_named; // namedEntries() before the next change
     QString m_builtIn;                         // name of the open lesson of the program; empty otherwise
     QString m_filePath;                        // path of the lesson's file of fractals
     bool m_isGivenUp = false;                  // true if the user discards the unsaved steps

@@ -111,9 +111,11 @@ bool isOfMachines(const QString& typed) {
         QT_TRANSLATE_NOOP("MainWindow", "laser plotter cutter engrave dxf outline millimetres millimeters");
     const QStringList known =
         (QCoreApplication::translate("MainWindow", words) + u' ' + QLatin1String(words)).split(u' ');
-    return typed.size() >= fewest && std::ranges::any_of(known, [&](const QString& word) {
-               return word.startsWith(typed, Qt::CaseInsensitive);
-           });
+    return std::ranges::any_of(typed.split(u' '), [&](const QString& part) {
+        return part.size() >= fewest && std::ranges::any_of(known, [&](const QString& word) {
+                   return word.startsWith(part, Qt::CaseInsensitive);
+               });
+    });
 }
 
 void present(view::ExportShell* dialog) {

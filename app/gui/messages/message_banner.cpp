@@ -13,6 +13,21 @@
 
 #include <algorithm>
 
+namespace {
+
+// The least width of the buttons side by side, whatever the direction of their layout is.
+int widthOfRow(const QBoxLayout& buttons) {
+    int width = 0, count = 0;
+    for (int i = 0; i < buttons.count(); ++i)
+        if (const QLayoutItem* item = buttons.itemAt(i); !item->isEmpty()) {
+            width += item->minimumSize().width();
+            ++count;
+        }
+    return width + std::max(0, count - 1) * std::max(0, buttons.spacing());
+}
+
+} // namespace
+
 MessageBanner::MessageBanner(QMainWindow* host) : QFrame(host), m_host(host) {
     setAttribute(Qt::WA_DeleteOnClose);
     m_geometryTimer.setSingleShot(true);
@@ -93,9 +108,10 @@ int MessageBanner::widthFor(int room) const {
 void MessageBanner::layOut() {
     const int width = widthFor(canvasRect().width() - 2 * margin);
     if (m_buttons) {
-        m_buttons->setDirection(QBoxLayout::LeftToRight);
-        if (m_buttons->minimumSize().width() > width - 2 * margin)
-            m_buttons->setDirection(QBoxLayout::TopToBottom);
+        // Set where it changes only: every change is followed by another call of this.
+        const bool isRow = widthOfRow(*m_buttons) <= width - 2 * margin;
+        const auto direction = isRow ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom;
+        if (m_buttons->direction() != direction) m_buttons->setDirection(direction);
     }
     setFixedWidth(width);
     resize(width, std::max(heightForWidth(width), minimumSizeHint().height()));

@@ -307,7 +307,7 @@ void Tour::keepSize() {
                             2 * margin);
     int tallest = 0;
     const QRect column(0, 0, widthFor(canvasRect().width() - 2 * margin) - 2 * margin, 10'000);
-    QStringList texts{tr(windOverTracks)};
+    QStringList texts{tr(windOverTracks), tr(undoOnceMore), tr(panelIsClosed)};
     for (const Step& each : steps)
         texts << tr(each.text);
     for (const QString& text : texts) {
@@ -440,12 +440,12 @@ QPoint Tour::freePlace() const {
     const int middle = room.center().x() - width() / 2;
     const int centre = room.center().y() - height() / 2;
     // Where the canvas has no room, those of the window.
-    const int last = host()->width() - margin - width();
+    const int farRight = host()->width() - margin - width();
     const int low = host()->height() - margin - height();
     const std::array places{QPoint(right, top),     QPoint(left, top),     QPoint(left, bottom),
                             QPoint(right, bottom),  QPoint(right, centre), QPoint(left, centre),
-                            QPoint(middle, bottom), QPoint(middle, top),   QPoint(last, top),
-                            QPoint(margin, top),    QPoint(last, low),     QPoint(margin, low)};
+                            QPoint(middle, bottom), QPoint(middle, top),   QPoint(farRight, top),
+                            QPoint(margin, top),    QPoint(farRight, low), QPoint(margin, low)};
     return std::ranges::min(places, {}, [this](const QPoint& place) { return coveredAt(place); });
 }
 

@@ -175,7 +175,7 @@ SpaceExport exportOf(const SpaceRecipe& recipe, const document::Fractal& fractal
     picture.dotsPerInch = recipe.dotsPerInch;
     PictureOverlay overlay;
     overlay.cage = overlay.isCageInked = recipe.showsCage && !isNumbers && picture.stereo == Stereo::None;
-    if (overlay.cage) picture.marks = spaceOverlayMarks(fractal, camera, overlay);
+    if (overlay.cage) picture.marks = spaceOverlayMarks(picture.fractal, camera, overlay);
     return picture;
 }
 

@@ -109,7 +109,9 @@ QImage inPlane(const document::Fractal& fractal, const LessonState& state, const
                          .copy()
                          .scaled(size);
     OverlayMarks marks = overlayMarks(fractal, camera, overlay);
-    if (overlay.cage) std::ranges::move(cornerMarks(fractal, camera), std::back_inserter(marks));
+    if (overlay.cage)
+        std::ranges::move(cornerMarks(fractal, camera, fractal.appearance.background),
+                          std::back_inserter(marks));
     paintOverlay(picture, marks, 0);
     return picture;
 }

@@ -8,12 +8,12 @@
 namespace io {
 
 void paintCage(QImage& rows, const document::Fractal& fractal, const attractor::Camera& camera,
-               int firstRow) {
+               const attractor::Rgba& background, int firstRow) {
     QPainter painter(&rows);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.translate(0, -firstRow);
-    paint(painter, {cageMarks(fractal, camera, inkOn(fractal.appearance.background)).back()}); // current cage
-    paint(painter, cornerMarks(fractal, camera));
+    paint(painter, {cageMarks(fractal, camera, inkOn(background)).back()}); // current cage
+    paint(painter, cornerMarks(fractal, camera, background));
 }
 
 } // namespace io

@@ -70,7 +70,8 @@ QColor haloOn(const attractor::Rgba& background) {
     return isDark(background) ? Qt::black : Qt::white;
 }
 
-OverlayMarks cornerMarks(const document::Fractal& fractal, const attractor::Camera& camera) {
+OverlayMarks cornerMarks(const document::Fractal& fractal, const attractor::Camera& camera,
+                         const attractor::Rgba& background) {
     constexpr double share = 0.018; // of the height of the picture
     const ifs::ControlCage<2> cage = document::effectiveCage(fractal);
     OverlayMarks marks;
@@ -79,8 +80,8 @@ OverlayMarks cornerMarks(const document::Fractal& fractal, const attractor::Came
         OverlayMark disc;
         disc.centre = {pixel.x(), pixel.y()};
         disc.radius = std::max(6.0, share * camera.height);
-        disc.fill = haloOn(fractal.appearance.background);
-        disc.stroke = inkOn(fractal.appearance.background);
+        disc.fill = haloOn(background);
+        disc.stroke = inkOn(background);
         disc.width = disc.radius / 6;
         OverlayMark digits;
         digits.centre = disc.centre;

@@ -36,8 +36,9 @@ void paint(QPainter& painter, const OverlayMarks& marks);
 QColor cageColour();
 QColor inkOn(const attractor::Rgba& background);  // colour of lines that are seen on it
 QColor haloOn(const attractor::Rgba& background); // colour behind them
-// The corners of the cage with their numbers, as on the canvas.
-OverlayMarks cornerMarks(const document::Fractal& fractal, const attractor::Camera& camera);
+// The corners of the cage with their numbers, as on the canvas, on this background.
+OverlayMarks cornerMarks(const document::Fractal& fractal, const attractor::Camera& camera,
+                         const attractor::Rgba& background);
 // The control polygon, the rest polygon dashed where it differs.
 OverlayMarks cageMarks(const document::Fractal& fractal, const attractor::Camera& camera,
                        const QColor& colour = cageColour());

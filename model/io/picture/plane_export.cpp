@@ -48,7 +48,7 @@ Drawn drawBands(const PlaneExport& picture, Room room, Take take, const Progress
         if (!rendering.band(first, rows, pixels, stop, drawing)) return Drawn::Stopped;
         if (picture.cage == CageVisibility::Shown) {
             QImage image = imageOver(pixels, camera.width);
-            paintCage(image, picture.fractal, camera, first);
+            paintCage(image, picture.fractal, camera, picture.fractal.appearance.background, first);
         }
         if (!overlay.empty()) {
             QImage image = imageOver(pixels, camera.width);

@@ -192,16 +192,34 @@ bool isSum(const Row& cells) {
     return cells.size() <= 3 && cells.first().text.contains(word);
 }
 
+namespace {
+
+// "r*cosθ", "f(x)": no word.
+bool isFormula(const QString& text) {
+    for (qsizetype i = 0; i < text.size(); ++i)
+        if (QStringView(u"*/^=\\").contains(text[i]) || (text[i] == u'(' && i > 0 && text[i - 1].isLetter()))
+            return std::ranges::any_of(text, [](QChar c) { return c.isLetter(); });
+    return false;
+}
+
+} // namespace
+
 bool isProse(const Row& cells, const Dialect& dialect, int fewestNumbers) {
-    constexpr int leastWords = 3, leastLetters = 3, mostNumbers = 2;
-    int numbers = 0;
+    constexpr qsizetype leastWords = 3, leastLetters = 3, mostNumbers = 2, fewestFields = 6;
+    qsizetype numbers = 0, fields = 0;
     QSet<QString> words;
-    for (const Cell& cell : cells)
+    for (const Cell& cell : cells) {
+        fields += !cell.isContinued;
+        if (isFormula(cell.text)) return false;
         if (numberIn(cell, dialect))
             ++numbers;
         else if (std::ranges::count_if(cell.text, [](QChar c) { return c.isLetter(); }) >= leastLetters)
             words.insert(cell.text.toLower());
-    return words.size() >= leastWords && numbers >= fewestNumbers && numbers <= mostNumbers;
+    }
+    if (dialect.separator != Separator::Blank && fields >= fewestFields) return false; // a row of a table
+    const bool isSentence = cells.last().text.endsWith(u'.') || cells.first().text.endsWith(u':');
+    return words.size() >= std::max(leastWords, 2 * numbers) && numbers >= fewestNumbers &&
+           numbers <= mostNumbers && (numbers > 0 || isSentence);
 }
 
 bool countMaps(const QList<Row>& table, const Dialect& dialect) {

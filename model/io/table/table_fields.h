@@ -48,8 +48,8 @@ struct Picks {
 // Picks by name: every column once, and any others. Beside weights, their running sum is another. nullopt if
 // the names do not say it.
 std::optional<Picks> pickedByName(const QStringList& names);
-// "Table 1. Codes of the Barnsley fern", "Source: …, p. 86": different words, and hardly a number, as no map
-// has.
+// "Table 1. Codes of the Barnsley fern", "Source: …, p. 86": different words and hardly a number, as no map
+// has; without a number, a sentence.
 bool isProse(const Row& cells, const Dialect& dialect, int fewestNumbers);
 // "Sum: 1.00" below a table.
 bool isSum(const Row& cells);

@@ -10,7 +10,6 @@
 #include "notation/text/words.h"
 
 #include <algorithm>
-#include <ranges>
 #include <string>
 #include <utility>
 #include <vector>
@@ -112,9 +111,10 @@ template <int Dim> std::optional<animation::Animation<Dim>> animationOf(const En
     const auto* figure = std::get_if<Figure<Dim>>(&entry.figure);
     if (figure == nullptr) return std::nullopt;
     const StoredAnimations stored = storedIn(entry);
-    for (const AnimationLines& lines : stored.blocks() | std::views::reverse)
-        if (!lines.mistake())
-            if (auto animation = animationOf<Dim>(lines.stored(), figure->system, figure->cage))
+    const std::vector<AnimationLines>& blocks = stored.blocks();
+    for (auto lines = blocks.rbegin(); lines != blocks.rend(); ++lines) // the last one that is understood
+        if (!lines->mistake())
+            if (auto animation = animationOf<Dim>(lines->stored(), figure->system, figure->cage))
                 return animation;
     return std::nullopt;
 }

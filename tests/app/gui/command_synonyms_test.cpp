@@ -202,7 +202,7 @@ void CommandSynonymsTest::aMeshIsExportedWhereThereIsASolid() {
 
 // Whatever was exported last.
 void CommandSynonymsTest::machinesGetAnOutline() {
-    for (const char* word : {"laser", "engrave"}) {
+    for (const char* word : {"laser cutter", "engrave"}) {
         run(QLatin1String(word));
         auto* dialog = m_window->findChild<view::ExportDialog*>();
         QVERIFY2(dialog, word);

@@ -134,20 +134,33 @@ void LessonSavingTest::theCollectionReplacesNothingThatALessonShows() {
     window->findChild<view::LessonNotebook*>()->history()->setClean();
 }
 
+// Also while the name is being typed, which is no step of the lesson.
 void LessonSavingTest::stepsFollowTheNamesOfTheirEntries() {
     MainWindow* window = shown({});
     support::command(*window, "add")->trigger();
-    const auto* notebook = window->findChild<view::LessonNotebook*>();
+    auto* notebook = window->findChild<view::LessonNotebook*>();
     const QString before = window->document().fractal().name;
-    QCOMPARE(notebook->lesson().steps.first().state.entry, before);
-    document::Fractal renamed = window->document().fractal();
-    renamed.name = QStringLiteral("bloom");
-    window->document().edit(QStringLiteral("Rename"), renamed);
-    QCOMPARE(notebook->lesson().steps.first().state.entry, QStringLiteral("bloom"));
+    const auto shownEntry = [notebook] { return notebook->lesson().steps.first().state.entry; };
+    QCOMPARE(shownEntry(), before);
+    {
+        document::EditGesture typing = window->document().beginGesture(QStringLiteral("Rename"));
+        document::Fractal renamed = window->document().fractal();
+        for (const char* name : {"b", "blo", "bloom"}) {
+            renamed.name = QLatin1String(name);
+            typing.preview(renamed);
+            QCOMPARE(shownEntry(), before);
+        }
+        typing.commit();
+    }
+    QCOMPARE(shownEntry(), QStringLiteral("bloom"));
+    QCOMPARE(notebook->history()->count(), 1); // the step was added
+    notebook->history()->undo();
+    notebook->history()->redo();
+    QCOMPARE(shownEntry(), QStringLiteral("bloom"));
     window->document().undoStack()->undo();
-    QCOMPARE(notebook->lesson().steps.first().state.entry, before);
+    QCOMPARE(shownEntry(), before);
     window->document().undoStack()->setClean();
-    window->findChild<view::LessonNotebook*>()->history()->setClean();
+    notebook->history()->setClean();
 }
 
 BARYCAGE_TEST(LessonSavingTest, QApplication);

@@ -13,6 +13,7 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
+#include <QGuiApplication>
 #include <QImage>
 #include <QSet>
 #include <QSysInfo>
@@ -466,5 +467,5 @@ void ExportTasksTest::whatIsNoTaskIsSkipped() {
     QVERIFY(TaskFolder(folder).takeOver().skipped.isEmpty()); // it is said once
 }
 
-BARYCAGE_TEST(ExportTasksTest, QCoreApplication);
+BARYCAGE_TEST(ExportTasksTest, QGuiApplication);
 #include "export_tasks_test.moc"

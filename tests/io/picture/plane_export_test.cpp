@@ -6,6 +6,7 @@
 
 #include <QColorSpace>
 #include <QFile>
+#include <QGuiApplication>
 #include <QImage>
 #include <QTemporaryDir>
 #include <QTest>
@@ -138,5 +139,5 @@ void PlaneExportTest::memoryIsThatOfABand() {
     QVERIFY(memoryFor(picture(300, 200)) < 4U << 20);
 }
 
-BARYCAGE_TEST(PlaneExportTest, QCoreApplication);
+BARYCAGE_TEST(PlaneExportTest, QGuiApplication);
 #include "plane_export_test.moc"

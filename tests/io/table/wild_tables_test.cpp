@@ -14,6 +14,8 @@ class WildTablesTest : public QObject {
 private slots:
     void printedTables_data();
     void printedTables();
+    void rowsOfWordsAreNotSkipped_data();
+    void rowsOfWordsAreNotSkipped();
     void namesOfColumns_data();
     void namesOfColumns();
     void equations_data();
@@ -93,6 +95,24 @@ void WildTablesTest::printedTables_data() {
             "-- two maps\n.5 .1 -.2 .4 3 7 .25 -- stem, 1\n.1 0 0 .5 1 0 .75 -- leaf\n");
     addWild("numbers by name behind a label",
             "w1: a=.5 b=.1 c=-.2 d=.4 e=3 f=7 p=.25\nw2: a=.1 b=0 c=0 d=.5 e=1 f=0 p=.75\n");
+}
+
+// Words are no reason to lose a map.
+void WildTablesTest::rowsOfWordsAreNotSkipped_data() {
+    QTest::addColumn<QByteArray>("bytes");
+    const QByteArray first = "a b c d e f\n.5 .1 -.2 .4 3 7\n", last = "\n.1 0 0 .5 1 0\n";
+    QTest::newRow("formulas") << first + "r*cosθ -r*sinθ r*sinθ r*cosθ 0.5 0" + last;
+    QTest::newRow("words") << first + "zero none half 0 0.5 0" + last;
+    QTest::newRow("words only") << first + "zero none half full low high" + last;
+    QTest::newRow("cells") << QByteArray(
+        "a,b,c,d,e,f\n.5,.1,-.2,.4,3,7\nzero,none,half,full,0,0\n.1,0,0,.5,1,0\n");
+}
+
+void WildTablesTest::rowsOfWordsAreNotSkipped() {
+    QFETCH(QByteArray, bytes);
+    const io::Collection collection = io::readCollection(bytes);
+    for (const document::Entry& entry : collection.file.entries)
+        QVERIFY(!document::system2(*entry.fractal)); // rather none than two of three
 }
 
 void WildTablesTest::printedTables() {

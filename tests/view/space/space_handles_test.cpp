@@ -78,7 +78,6 @@ void SpaceHandlesTest::theBallNeverWinsOverACorner() {
     QVERIFY(window.camera() != before);
 }
 
-// Of a corner that a zoom has taken out of the view; a click on it fits.
 // As in the plane: a drag may take a corner out of sight, a command may not.
 void SpaceHandlesTest::commandsKeepTheCageInTheView() {
     Window window;
@@ -99,6 +98,7 @@ void SpaceHandlesTest::commandsKeepTheCageInTheView() {
     QVERIFY(window.view->navigation().isFitted());
 }
 
+// Of a corner that a zoom has taken out of the view; a click on it fits.
 void SpaceHandlesTest::anArrowLeadsToACornerOutside() {
     Window window;
     QVERIFY(window.rests());

@@ -109,7 +109,8 @@ SpaceExportDialog::~SpaceExportDialog() = default;
 void SpaceExportDialog::createPicture() {
     m_section = new QComboBox(this);
     addChoice(m_section, tr("The view on the canvas"), theCanvas);
-    addChoice(m_section, tr("The whole attractor"), theAttractor);
+    if (document::isSpaceExtentKnown(m_fractal))
+        addChoice(m_section, tr("The whole attractor"), theAttractor);
     for (int saved = 0; saved < int(m_views.size()); ++saved)
         addChoice(m_section, tr("The view “%1”").arg(m_views[std::size_t(saved)].name), saved);
     m_section->setAccessibleName(tr("Section"));
@@ -221,9 +222,8 @@ QString SpaceExportDialog::suffix() const {
     return std::ranges::find(kinds, format(), &BodyKind::format)->suffix;
 }
 
-// The camera for the proportions of the canvas.
 void SpaceExportDialog::beginWithAttractor() {
-    if (document::isSpaceExtentKnown(m_fractal)) chooseValue(m_section, theAttractor);
+    if (m_section->findData(theAttractor) >= 0) chooseValue(m_section, theAttractor);
 }
 
 attractor::OrbitCamera SpaceExportDialog::camera() const {
@@ -231,10 +231,12 @@ attractor::OrbitCamera SpaceExportDialog::camera() const {
     if (saved == theCanvas) return m_camera;
     if (saved == theAttractor) {
         attractor::OrbitCamera whole = m_camera;
-        whole.size = {m_size->pixels().width(), m_size->pixels().height()};
+        const auto stereo = chosenValue<io::Stereo>(m_stereo);
+        whole.size = {std::max(1, m_size->pixels().width() / attractor::picturesAcross(stereo)),
+                      m_size->pixels().height()};
         // The numbers of the corners take room.
-        return m_cage->isChecked() ? document::fittedTo(m_fractal, whole, 0.06)
-                                   : document::fittedToPicture(m_fractal, whole, 0.02);
+        return m_cage->isChecked() && m_cage->isEnabled() ? document::fittedTo(m_fractal, whole, 0.06)
+                                                          : document::fittedToPicture(m_fractal, whole, 0.02);
     }
     auto camera = std::get<attractor::OrbitCamera>(m_views[std::size_t(saved)].camera);
     camera.size = m_camera.size;

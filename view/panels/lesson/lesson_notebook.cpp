@@ -6,6 +6,17 @@
 
 namespace view {
 
+// Returns true if a step showed one of them.
+static bool renameEntries(document::Lesson& lesson, const QHash<QString, QString>& renamed) {
+    bool isShown = false;
+    for (document::LessonStep& step : lesson.steps)
+        if (const auto now = renamed.constFind(step.state.entry); now != renamed.cend()) {
+            step.state.entry = *now;
+            isShown = true;
+        }
+    return isShown;
+}
+
 class LessonCommand : public QUndoCommand {
 public:
     // Consecutive commands of the same kind merge; −1: never.
@@ -20,6 +31,10 @@ public:
     void undo() override { m_notebook.show(m_before); }
     void redo() override { m_notebook.show(m_after); }
     int id() const override { return m_kind; }
+    void followRenamed(const QHash<QString, QString>& renamed) {
+        renameEntries(m_before.lesson, renamed);
+        renameEntries(m_after.lesson, renamed);
+    }
     bool mergeWith(const QUndoCommand* other) override {
         m_after = static_cast<const LessonCommand*>(other)->m_after;
         return true;
@@ -73,11 +88,12 @@ void LessonNotebook::setFile(const QString& name) {
     m_lesson.file = name;
 }
 
-void LessonNotebook::followRenamed(const QString& before, const QString& now) {
-    Page after = page();
-    for (document::LessonStep& step : after.lesson.steps)
-        if (step.state.entry == before) step.state.entry = now;
-    if (!(after.lesson == m_lesson)) push(tr("Rename entry"), std::move(after));
+void LessonNotebook::followRenamed(const QHash<QString, QString>& renamed) {
+    if (!renameEntries(m_lesson, renamed)) return;
+    for (int i = 0; i < m_history.count(); ++i) // made here, and not const
+        static_cast<LessonCommand*>(const_cast<QUndoCommand*>(m_history.command(i)))->followRenamed(renamed);
+    m_history.resetClean(); // the file of the lesson has the old names
+    emit changed();
 }
 
 void LessonNotebook::moveTo(const QString& name) {

@@ -3,6 +3,7 @@
 
 #include "document/lesson/lesson.h"
 
+#include <QHash>
 #include <QObject>
 #include <QUndoStack>
 
@@ -30,6 +31,8 @@ public:
     void markSaved(const QString& path);
     void setFile(const QString& name); // .ifs file of the lesson; no step of the history
     void moveTo(const QString& name);  // other .ifs file, not saved yet
+    // Entries have other names now: so have steps that show them, of all times. No step of the history.
+    void followRenamed(const QHash<QString, QString>& renamed);
 
     QUndoStack* history() { return &m_history; }
     // Edits of one undo step each; typing in one field is one step.
@@ -39,7 +42,6 @@ public:
     void setState(const document::LessonState& state);
     void setStepTitle(const QString& title);
     void setText(const QString& text);
-    void followRenamed(const QString& before, const QString& now); // an entry that steps show
     void removeStep();
     void moveStep(int by);
 

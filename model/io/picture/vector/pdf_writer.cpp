@@ -168,7 +168,7 @@ public:
             addOutline(leafUnion(levels, depth, stop));
         else
             resources = addPoints();
-        if (format.cage == CageVisibility::Shown) resources += addCage();
+        if (format.cage == CageVisibility::Shown) resources += addCage(groundOf(fractal, format));
         if (format.overlay != PictureOverlay()) {
             const OverlayMarks marks = overlayMarks(fractal, camera, format.overlay);
             m_content += pdfMarks(marks);
@@ -261,14 +261,14 @@ private:
         return content;
     }
 
-    QByteArray addCage() {
+    QByteArray addCage(const attractor::Rgba& ground) {
         const ifs::ControlCage<2> cage = document::effectiveCage(m_page.fractal);
-        const QColor colour = inkOn(m_page.fractal.appearance.background);
+        const QColor colour = inkOn(ground);
         m_content += text(attractor::Rgba{std::uint8_t(colour.red()), std::uint8_t(colour.green()),
                                           std::uint8_t(colour.blue()), 255}) +
                      " RG 1.5 w 1 j\n";
         m_content += polygon(cage.current) + "S\n";
-        const OverlayMarks corners = cornerMarks(m_page.fractal, m_page.camera);
+        const OverlayMarks corners = cornerMarks(m_page.fractal, m_page.camera, ground);
         m_content += pdfMarks(corners);
         return pdfMarkResources(corners);
     }

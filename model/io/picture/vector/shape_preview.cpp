@@ -61,7 +61,8 @@ public:
             drawShapes(painter, m_fractal, levels.display(), levels, format);
         }
         painter.end();
-        if (format.cage == CageVisibility::Shown) paintCage(m_image, m_fractal, m_camera);
+        if (format.cage == CageVisibility::Shown)
+            paintCage(m_image, m_fractal, m_camera, groundOf(m_fractal, format));
         return m_image;
     }
 

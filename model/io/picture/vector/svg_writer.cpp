@@ -283,11 +283,11 @@ private:
         startElement("g");
         attribute("id", QStringLiteral("control-triangle"));
         attribute("fill", QStringLiteral("none"));
-        attribute("stroke", inkOn(m_fractal.appearance.background).name());
+        attribute("stroke", inkOn(groundOf(m_fractal, m_format)).name());
         attribute("stroke-width", QStringLiteral("1.5"));
         attribute("stroke-linejoin", QStringLiteral("round"));
         writePolygon("current", cage.current);
-        writeSvgMarks(m_xml, cornerMarks(m_fractal, m_camera));
+        writeSvgMarks(m_xml, cornerMarks(m_fractal, m_camera, groundOf(m_fractal, m_format)));
         m_xml.writeEndElement();
     }
 

@@ -38,6 +38,11 @@ struct SvgFormat {
     double dotsPerInch = pixelsOfSvg; // pixels of the camera per inch
 };
 
+// What the picture lies on: an outline, on the material that is cut.
+inline attractor::Rgba groundOf(const document::Fractal& fractal, const SvgFormat& format) {
+    return format.style == ShapeStyle::Outline ? attractor::Rgba{0, 0, 0, 0} : fractal.appearance.background;
+}
+
 // A summary of a picture of shapes: for the dialog, before anything is written.
 struct SvgPlan {
     int depth = 0;

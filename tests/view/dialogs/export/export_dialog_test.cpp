@@ -25,7 +25,6 @@
 #include <QMimeData>
 #include <QPainter>
 #include <QProgressBar>
-#include <QPushButton>
 #include <QRegularExpression>
 #include <QSet>
 #include <QSignalSpy>
@@ -53,7 +52,6 @@ class ExportDialogTest : public QObject {
 
 private slots:
     void writesPng();
-    void returnExportsAgain();
     void previewIsWhatIsWritten_data();
     void previewIsWhatIsWritten();
     void previewKeepsTheShape();
@@ -110,24 +108,6 @@ void ExportDialogTest::writesPng() {
     QFile file(path);
     QVERIFY(file.open(QIODevice::ReadOnly));
     QVERIFY(io::readPngSystem(file.readAll()).text.startsWith(document.fractal().name.toUtf8()));
-}
-
-// The focus must not go to a button beside Export, which is disabled for a while.
-void ExportDialogTest::returnExportsAgain() {
-    document::Document document;
-    ExportDialog dialog(&document, camera());
-    dialog.show();
-    QVERIFY(QTest::qWaitForWindowActive(&dialog));
-    auto* start = dialog.findChild<QPushButton*>(QStringLiteral("export"));
-    start->setFocus();
-    QSignalSpy exported(&dialog, &ExportDialog::exported);
-    dialog.exportTo(m_folder.filePath(QStringLiteral("again.png")));
-    QVERIFY(!dialog.focusWidget());
-    const QRect place = start->geometry();
-    QVERIFY(exported.wait(20'000));
-    QCOMPARE(dialog.focusWidget(), start);
-    QCoreApplication::processEvents();
-    QCOMPARE(start->geometry(), place); // under the pointer
 }
 
 void ExportDialogTest::previewIsWhatIsWritten_data() {
