@@ -278,8 +278,11 @@ void ShapesTest::pdfLooksLikeSvg() {
         if (svg.isNull() || pdf.isNull()) QSKIP("rsvg-convert or pdftocairo is not installed");
         QVERIFY(std::abs(pdf.width() - side) <= 1 && std::abs(pdf.height() - side) <= 1);
         const int distance = style == io::ShapeStyle::Outline ? 2 : 1; // poppler moves thin lines to pixels
-        QCOMPARE(missing(svg, pdf, distance), 0);
-        QCOMPARE(missing(pdf, svg, distance), 0);
+        constexpr int digits = 10; // pixels of the numbers of the corners, which are in other letters
+        QVERIFY2(missing(svg, pdf, distance) <= digits,
+                 qPrintable(QString::number(missing(svg, pdf, distance))));
+        QVERIFY2(missing(pdf, svg, distance) <= digits,
+                 qPrintable(QString::number(missing(pdf, svg, distance))));
     }
 }
 
