@@ -54,7 +54,7 @@ constexpr qsizetype tableOrXml = 60'000'000; // bytes: below the limit on such f
 // Bytes of so many pieces that every limit on entries, maps and lines is met; or as many as are asked for.
 qsizetype many(const QByteArray& piece, qsizetype all = 100'000'000) {
     if (support::isThorough()) return all;
-    return std::clamp<qsizetype>(1'100'000 * piece.size(), 4'000'000, 24'000'000);
+    return std::clamp<qsizetype>(1'100'000 * piece.size(), 5'000'000, 24'000'000);
 }
 
 // The same for the limits on entries and rows of tables, which are lower.
