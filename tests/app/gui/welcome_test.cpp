@@ -128,9 +128,9 @@ private slots:
         const auto room = [&] { return QRect(canvas->mapTo(m_window.get(), QPoint()), canvas->size()); };
         QTRY_VERIFY(room().contains(banner()->geometry()));
         int rounds = 0; // it comes to rest, also where its buttons are in a column
-        while (rounds < 300 && QAbstractEventDispatcher::instance()->processEvents(QEventLoop::AllEvents))
+        while (rounds < 2000 && QAbstractEventDispatcher::instance()->processEvents(QEventLoop::AllEvents))
             ++rounds;
-        QVERIFY(rounds < 300);
+        QVERIFY(rounds < 2000);
         for (const auto* button : banner()->findChildren<QPushButton*>())
             QVERIFY2(banner()->rect().contains(button->geometry()) &&
                          button->width() >= button->minimumSizeHint().width(),
