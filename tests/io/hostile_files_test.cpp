@@ -109,12 +109,11 @@ void HostileFilesTest::hugeFiles_data() {
         QTest::newRow(name) << beginning << piece << end << (size > 0 ? size : many(piece))
                             << QString::fromUtf8(says);
     };
-    row("line ends", "", "\n", "", "The file is empty");
+    row("line ends", "", "\n", "", "No iterated function system", huge);
     row("zeros", "", QByteArray(1, '\0'), "", "binary");
     row("noise", "", "", "", "binary");
     row("one word", "", "a", "", "No iterated function system");
-    row("words", "", "a\n", "", "No iterated function system");
-    row("long lines", "", QByteArray(1000, 'a') + '\n', "", "the limit is 64 MB", huge);
+    row("words", "", "a\n", "", "the limit is 64 MB", huge);
     row("opening braces", "", "a{", "", "No iterated function system");
     row("closing braces", "a{", "}", "", "no numbers");
     row("entries", "", "a{}\n", "", "more than 200000 entries", fewer("a{}\n"));

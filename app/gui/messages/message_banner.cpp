@@ -97,8 +97,8 @@ QPoint MessageBanner::topLeft() {
 }
 
 int MessageBanner::widest() const {
-    constexpr int usual = 340, usualDpi = 96;
-    return usual * std::max(logicalDpiX(), usualDpi) / usualDpi;
+    constexpr int usualDpi = 96;
+    return usualWidth * std::max(logicalDpiX(), usualDpi) / usualDpi;
 }
 
 int MessageBanner::widthFor(int room) const {

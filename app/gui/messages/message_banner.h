@@ -17,8 +17,9 @@ class MessageBanner : public QFrame {
     Q_OBJECT
 
 public:
-    static constexpr int margin = 16;     // pixels inside, and from the edge of the canvas
-    static constexpr int hintHeight = 56; // pixels kept free at the bottom of the canvas, for its hints
+    static constexpr int usualWidth = 340; // pixels at 96 dots per inch
+    static constexpr int margin = 16;      // pixels inside, and from the edge of the canvas
+    static constexpr int hintHeight = 56;  // pixels kept free at the bottom of the canvas, for its hints
 
     explicit MessageBanner(QMainWindow* host);
 

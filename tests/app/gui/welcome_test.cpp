@@ -126,7 +126,8 @@ private slots:
         Welcome::offer(m_window.get());
         const QWidget* canvas = m_window->centralWidget();
         const auto room = [&] { return QRect(canvas->mapTo(m_window.get(), QPoint()), canvas->size()); };
-        QTRY_VERIFY(room().contains(banner()->geometry()));
+        QTRY_VERIFY(banner()->width() < MessageBanner::usualWidth && room().contains(banner()->geometry()));
+        support::handleEvents();
         int rounds = 0; // it comes to rest, also where its buttons are in a column
         while (rounds < 2000 && QAbstractEventDispatcher::instance()->processEvents(QEventLoop::AllEvents))
             ++rounds;

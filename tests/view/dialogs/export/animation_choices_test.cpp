@@ -175,7 +175,7 @@ void AnimationChoicesTest::theFolderIsShownAfterwards() {
     QSignalSpy written(m_dialog.get(), &Dialog::exported);
     m_dialog->exportTo(m_folder->filePath(QStringLiteral("a.gif")));
     QVERIFY(!written.isEmpty() || written.wait(60'000));
-    QVERIFY(button()->isEnabled());
+    QVERIFY(button()->isEnabled() && button()->isVisibleTo(m_dialog.get()));
     FolderSpy spy;
     button()->click();
     QCOMPARE(spy.opened(), QUrl::fromLocalFile(m_folder->path()));

@@ -430,7 +430,7 @@ private slots:
         push("Suggest");
         QTest::mouseClick(named<QToolButton>(QStringLiteral("Remove")), Qt::LeftButton);
         QVERIFY(m_panel->isSettled());
-        QVERIFY2(said.last().first().toString().contains(QStringLiteral("was cancelled")),
+        QVERIFY2(said.last().first().toString().contains(QStringLiteral("Another picture is shown")),
                  qPrintable(said.last().first().toString()));
         QVERIFY(!named<QPushButton>(QStringLiteral("Suggest"))->isEnabled());
         traceLeaf();
