@@ -202,6 +202,21 @@ private slots:
         QCOMPARE(m_canvas->camera(), close);
     }
 
+    // No hand in the canvas wants the corners elsewhere.
+    void typedNumbersKeepTheCageInTheView() {
+        m_canvas->fit();
+        m_canvas->clearFocus();
+        document::Fractal fractal = m_document->fractal();
+        auto& cage = document::plane(fractal)->cage.emplace(document::effectiveCage(fractal));
+        document::EditGesture typing = m_document->beginGesture(QStringLiteral("Type"));
+        for (Vector<2>& corner : cage.current)
+            corner += Vector<2>(4, 0);
+        typing.preview(fractal);
+        QVERIFY(!arrows().empty());
+        typing.commit();
+        QTRY_VERIFY(arrows().empty());
+    }
+
     void anArrowLeadsToACornerOutside() {
         m_canvas->fit();
         QTRY_VERIFY(arrows().empty());
