@@ -119,14 +119,18 @@ void setMeasureDimension(Invariants& invariants, double bound, int ofHull) {
 template <int Dim> void findLinkedMeasure(Facts<Dim>& facts) {
     facts.moments = linkedMoments<Dim>(facts.active);
     if (facts.moments) facts.mean = Mean<Dim>{facts.moments->mean, facts.moments->meanError};
-    facts.similarityDimension = linkedDimension<Dim>(facts.active);
+    if (const auto dimension = linkedDimension<Dim>(facts.active))
+        if (const auto error = linkedDimensionError<Dim>(facts.active, *dimension)) {
+            facts.similarityDimension = dimension;
+            facts.affinityDimensionError = *error;
+        }
     facts.affinityDimension = facts.similarityDimension;
     capAffinityDimension(facts);
     Invariants& invariants = facts.invariants;
     invariants.entropy = entropyRate(transitions(facts.active));
     invariants.lyapunovExponent = linkedLyapunovExponent<Dim>(facts.active);
-    if (const auto& rate = invariants.lyapunovExponent; rate && *rate < 0)
-        setMeasureDimension(invariants, *invariants.entropy / -*rate, Dim);
+    if (const auto bound = linkedMeasureDimension<Dim>(facts.active))
+        setMeasureDimension(invariants, *bound, Dim);
 }
 
 void findLinkedExtents(Facts<2>& facts, std::optional<double> hullTolerance, Budget& budget) {

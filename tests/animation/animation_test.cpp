@@ -280,6 +280,11 @@ private slots:
         QCOMPARE(share(1), 0.5);
         for (const double near : {1e-3, 1e-4, 1.1e-5, 0.9e-5, 1e-9, -1e-5})
             QVERIFY(std::abs(share(1 + near) - 1 / (std::sqrt(1 + near) + 1)) < 1e-9);
+        for (const double u : {0.25, 0.5, 0.75}) { // (−1/3, 0) stays in its place
+            const auto view = between(attractor::View{{0, 0}, 2}, attractor::View{{1, 0}, 8}, u);
+            QVERIFY((Vector<2>(-1.0 / 3, 0) - view.centre - view.height * Vector<2>(-1.0 / 6, 0)).norm() <
+                    1e-14);
+        }
         attractor::OrbitCamera camera;
         camera.orientation = attractor::orbit(10, 20);
         QVERIFY(orbited(camera, CameraTurn{90}).orientation.angularDistance(attractor::orbit(100, 20)) <

@@ -298,6 +298,29 @@ private slots:
         QVERIFY(near(full.invariants.measureDimension, 2) && !full.invariants.isMeasureDimensionCapped);
     }
 
+    // Where maps are no similarities, too, an area and determinants of sum 1 leave no room for overlaps.
+    void anAreaProvesTheOpenSetCondition() {
+        Maps2 boxes;
+        for (int k = 0; k < 8; ++k)
+            boxes.push_back(affineMap(.5, 0, 0, .25, .5 * (k % 2), .25 * (k / 2)));
+        const OpenSetFacts found = *factsOf(systemOf(boxes)).invariants.openSet;
+        QCOMPARE(found.condition, OpenSetCondition::Holds);
+        QCOMPARE(found.certainty, Certainty::Exact);
+        QVERIFY(!found.dimension);
+    }
+
+    // What needs a factor below 1 is unavailable; the affinity dimension is 2, since Σ|det A_i| is 1 but for
+    // rounding.
+    void withoutAFactorTheAffinityDimensionIsKnown() {
+        const double slow = .9999999999999999;
+        const Facts<2> facts =
+            factsOf(systemOf({affineMap(slow, 1, 0, .5, 1, 0), affineMap(.5, 1, 0, slow, 0, 1)}));
+        QVERIFY(facts.existence.exists() && !facts.existence.hasFactor());
+        QVERIFY(!facts.support && !facts.box && !facts.simplex && !facts.hull && !facts.similarityDimension);
+        QVERIFY(near(facts.affinityDimension, 2, 1e-6));
+        QVERIFY(facts.affinityDimensionError > 0 && facts.affinityDimensionError <= 1e-6);
+    }
+
     void nothingIsSaidOfASystemWithoutAnAttractor() {
         const Facts<2> facts = factsOf(systemOf({affineMap(2, 0, 0, 2, 1, 0)}));
         QVERIFY(!facts.box && !facts.simplex && !facts.hull && !facts.support && !facts.similarityDimension &&

@@ -122,16 +122,6 @@ void measureDistances(const Target& target, const Splats& splats, Agreement& agr
     distances.finish(agreement, target.grid);
 }
 
-void measureAreas(const Target& target, const Splats& splats, Agreement& agreement) {
-    std::size_t both = 0, only = splats.outside.size();
-    for (std::size_t cell = 0; cell < splats.labels.size(); ++cell)
-        if (splats.labels[cell] != 0) ++(target.mask.cells[cell] != 0 ? both : only);
-    const auto area = double(target.cells.size());
-    agreement.coverage = double(both) / area;
-    agreement.excess = double(only) / area;
-    agreement.iou = double(both) / (area + double(only));
-}
-
 // Number of cells met off the grid, and the sum of those that each layer meets.
 struct CellsOutside {
     std::size_t all = 0;
@@ -152,6 +142,16 @@ CellsOutside cellsOutside(const std::vector<Place>& outside) {
             std::get<1>(cells[k]) != std::get<1>(cells[k - 1]))
             ++result.all;
     return result;
+}
+
+void measureAreas(const Target& target, const Splats& splats, Agreement& agreement) {
+    std::size_t both = 0, only = cellsOutside(splats.outside).all;
+    for (std::size_t cell = 0; cell < splats.labels.size(); ++cell)
+        if (splats.labels[cell] != 0) ++(target.mask.cells[cell] != 0 ? both : only);
+    const auto area = double(target.cells.size());
+    agreement.coverage = double(both) / area;
+    agreement.excess = double(only) / area;
+    agreement.iou = double(both) / (area + double(only));
 }
 
 void splatImages(const Target& target, const ifs::AffineMap<2>& map, double dx, double dy, Splats& splats) {
@@ -209,7 +209,6 @@ MeasuredCollage measuredCollage(const Target& target, std::span<const ifs::Affin
     }
     CollageMeasure result;
     measureDistances(target, splats, result.images);
-    const std::vector<Place> outside = splats.outside;
     for (std::size_t i = 0; i < inside.size(); ++i) {
         if (!mayLeaveGaps(inside[i])) continue;
         std::erase_if(splats.outside, [&](const Place& place) { return place.layer == std::int32_t(i) + 1; });
@@ -224,7 +223,6 @@ MeasuredCollage measuredCollage(const Target& target, std::span<const ifs::Affin
     const CellsOutside off = cellsOutside(splats.outside);
     const auto all = std::size_t(std::ranges::count_if(splats.labels, [](auto label) { return label != 0; }));
     result.overlap = double(met + off.met) / double(all + off.all);
-    splats.outside = outside;
     measureAreas(target, splats, result.images);
     result.contraction = contraction(maps);
     addBound(result, maps, search);

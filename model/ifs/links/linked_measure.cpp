@@ -4,6 +4,7 @@
 #include "ifs/dimension/dimension.h"
 #include "ifs/linear/decompositions.h"
 #include "ifs/linear/inverse.h"
+#include "ifs/separation/contact_graph.h"
 
 #include <algorithm>
 #include <cmath>
@@ -166,6 +167,16 @@ double rootOf(const std::vector<double>& ratios, std::span<const double> forward
     return (low + high) / 2;
 }
 
+// The share of a closed part in the entropy of the chain.
+double entropyOf(const Transitions& chain, const std::vector<std::size_t>& part) {
+    double result = 0;
+    for (const std::size_t i : part)
+        for (const std::size_t j : part)
+            if (const double t = chain.forward[i * chain.size + j]; t > 0)
+                result -= chain.stationary[i] * t * std::log(t);
+    return result;
+}
+
 } // namespace
 
 template <int Dim> std::optional<Moments<Dim>> linkedMoments(const ActiveMaps<Dim>& active) {
@@ -175,10 +186,8 @@ template <int Dim> std::optional<Moments<Dim>> linkedMoments(const ActiveMaps<Di
 
 double entropyRate(const Transitions& chain) {
     double result = 0;
-    for (std::size_t i = 0; i < chain.size; ++i)
-        for (std::size_t j = 0; j < chain.size; ++j)
-            if (const double t = chain.forward[i * chain.size + j]; t > 0)
-                result -= chain.stationary[i] * t * std::log(t);
+    for (const auto& part : chain.closed)
+        result += entropyOf(chain, part);
     return result;
 }
 
@@ -204,10 +213,46 @@ template <int Dim> std::optional<double> linkedDimension(const ActiveMaps<Dim>& 
     return largest;
 }
 
+// The spectral radius at the dimension, enclosed, falls with the exponent by the least −ln s at least.
+template <int Dim>
+std::optional<double> linkedDimensionError(const ActiveMaps<Dim>& active, double dimension) {
+    const auto ratios = similarityRatios<Dim>(active.maps);
+    if (!ratios || dimension == 0) return ratios ? std::optional(0.0) : std::nullopt;
+    const Transitions chain = transitions(active);
+    ContactGraph graph(chain.size);
+    for (const auto& part : chain.closed)
+        for (const std::size_t from : part)
+            for (const std::size_t to : part)
+                if (chain.forward[from * chain.size + to] > 0)
+                    graph.join(from, to, std::pow((*ratios)[to], dimension));
+    const auto radius = graph.spectralRadius();
+    if (!radius || !(radius->least > 0)) return std::nullopt;
+    const double off = std::max(std::abs(std::log(radius->least)), std::abs(std::log(radius->most)));
+    const double slope = -std::log(std::ranges::max(*ratios));
+    return similarityDimensionError<Dim>(active.maps, dimension) + (off + 8 * epsilon) / slope;
+}
+
+template <int Dim> std::optional<double> linkedMeasureDimension(const ActiveMaps<Dim>& active) {
+    const auto ratios = similarityRatios<Dim>(active.maps);
+    if (!ratios || !std::ranges::all_of(*ratios, [](double r) { return r > 0 && r < 1; }))
+        return std::nullopt;
+    const Transitions chain = transitions(active);
+    double largest = 0;
+    for (const auto& part : chain.closed) {
+        double exponent = 0;
+        for (const std::size_t i : part)
+            exponent -= chain.stationary[i] * std::log((*ratios)[i]);
+        if (exponent > 0) largest = std::max(largest, entropyOf(chain, part) / exponent);
+    }
+    return largest;
+}
+
 #define BARYCAGE_INSTANTIATE(Dim)                                                                            \
     template std::optional<Moments<Dim>> linkedMoments(const ActiveMaps<Dim>&);                              \
     template std::optional<double> linkedLyapunovExponent(const ActiveMaps<Dim>&);                           \
-    template std::optional<double> linkedDimension(const ActiveMaps<Dim>&);
+    template std::optional<double> linkedDimension(const ActiveMaps<Dim>&);                                  \
+    template std::optional<double> linkedDimensionError(const ActiveMaps<Dim>&, double);                     \
+    template std::optional<double> linkedMeasureDimension(const ActiveMaps<Dim>&);
 BARYCAGE_INSTANTIATE(2)
 BARYCAGE_INSTANTIATE(3)
 #undef BARYCAGE_INSTANTIATE

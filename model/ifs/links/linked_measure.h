@@ -27,4 +27,13 @@ template <int Dim> std::optional<double> linkedLyapunovExponent(const ActiveMaps
 // the open set condition. nullopt unless all maps are contracting similarities.
 template <int Dim> std::optional<double> linkedDimension(const ActiveMaps<Dim>& active);
 
+// How far that dimension is off, at most, as far as the ratios are known to 1e-9; nullopt where no bound is
+// found.
+template <int Dim>
+std::optional<double> linkedDimensionError(const ActiveMaps<Dim>& active, double dimension);
+
+// An upper bound of the dimension of the measure: of each closed part its entropy divided by its exponent, of
+// several parts the largest. nullopt unless all maps are contracting similarities.
+template <int Dim> std::optional<double> linkedMeasureDimension(const ActiveMaps<Dim>& active);
+
 } // namespace ifs

@@ -198,10 +198,12 @@ template <int Dim> Value neighboursText(const FactSource<Dim>& source, const Fig
 
 template <int Dim> Value spectrumText(const FactSource<Dim>& source, const Figures& number) {
     const auto& spectrum = source.facts.invariants.spectrum;
-    if (!spectrum || !source.facts.invariants.openSet) return std::nullopt;
+    const auto& openSet = source.facts.invariants.openSet;
+    if (!spectrum || !openSet) return std::nullopt;
     return QStringLiteral("D0 %1, D1 %2, D2 %3, D∞ %4")
-        .arg(number(spectrum->capacity), number(spectrum->information), number(spectrum->correlation),
-             number(spectrum->least));
+               .arg(number(spectrum->capacity), number(spectrum->information), number(spectrum->correlation),
+                    number(spectrum->least)) +
+           roundingNote(openSet->certainty == ifs::Certainty::Exact);
 }
 
 template <int Dim> std::optional<ifs::JointSpectralRadius> radiusOf(const FactSource<Dim>& source) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "attractor/arithmetic/arithmetic.h"
+#include "attractor/light/stereo.h"
 #include "attractor/render/cloud_rendering.h"
 #include "attractor/render/solid_rendering.h"
 #include "attractor/samples/chaos_game.h"
@@ -10,7 +11,9 @@
 #include <QtTest>
 
 #include <cmath>
+#include <cstdint>
 #include <numbers>
+#include <vector>
 
 using namespace attractor;
 using ifs::Vector;
@@ -64,6 +67,31 @@ SpaceRequest slab(bool perspective) {
     if (perspective) request.camera.projection = OrbitCamera::Projection::Perspective;
     request.clip = SpaceClip{{1, -2, 0.5}, -0.6, 0.1};
     return request;
+}
+
+// What is near is red, what is far blue.
+SpaceRequest redAndBlueXRay(const systems::System3& system, double azimuth) {
+    SpaceRequest request = systems::spaceRequest(system, 80, 80, azimuth, 0);
+    request.samples = 2'000'000;
+    request.cloudColour = CloudColour::MeanDepth;
+    request.appearance.background = {0, 0, 0, 255};
+    request.appearance.palette = {"two", {{0, {0, 0, 255, 255}}, {1, {255, 0, 0, 255}}}};
+    return request;
+}
+
+// The share of red in the light of the columns [first, end) of such a picture.
+double shareOfRed(const SpaceRequest& request, int first = 0, int end = 80) {
+    CloudRendering rendering(request);
+    rendering.refine();
+    std::vector<std::uint32_t> pixels(std::size_t(80 * 80));
+    rendering.tone(pixels);
+    double red = 0, blue = 0;
+    for (int k = 0; k < 80 * 80; ++k) {
+        if (k % 80 < first || k % 80 >= end) continue;
+        red += pixels[std::size_t(k)] >> 16 & 0xFF;
+        blue += pixels[std::size_t(k)] & 0xFF;
+    }
+    return red / (red + blue);
 }
 
 } // namespace
@@ -236,37 +264,41 @@ private slots:
 
     // What is nearest is shown by the end of the palette, what is farthest by its beginning.
     void anXRayShowsMeanDepth() {
-        systems::System3 pair; // two small cubes, one behind the other and to its right
+        systems::System3 cube;
         for (int k = 0; k < 8; ++k)
-            ifs::append<3>(pair, systems::scaled(0.5, 0.5 * (k & 1), 0.5 * (k >> 1 & 1), 0.5 * (k >> 2 & 1)));
-        SpaceRequest request = systems::spaceRequest(pair, 80, 80, 45, 0);
-        request.samples = 2'000'000;
-        request.cloudColour = CloudColour::MeanDepth;
-        request.appearance.background = {0, 0, 0, 255};
-        request.appearance.palette = {"two", {{0, {0, 0, 255, 255}}, {1, {255, 0, 0, 255}}}};
+            ifs::append<3>(cube, systems::scaled(0.5, 0.5 * (k & 1), 0.5 * (k >> 1 & 1), 0.5 * (k >> 2 & 1)));
+        SpaceRequest request = redAndBlueXRay(cube, 45);
         request.clip = SpaceClip{{1, 0, 1}, 1.7, 2}; // the edge towards the eye
-        const auto redder = [&] {
-            CloudRendering rendering(request);
-            rendering.refine();
-            std::vector<std::uint32_t> pixels(std::size_t(80 * 80));
-            rendering.tone(pixels);
-            double red = 0, blue = 0;
-            for (const std::uint32_t pixel : pixels) {
-                red += pixel >> 16 & 0xFF;
-                blue += pixel & 0xFF;
-            }
-            return red / (red + blue);
-        };
         // Alone, each slice has depths of its own: in the middle between near and far on the average.
-        const double alone = redder();
+        const double alone = shareOfRed(request);
         QVERIFY2(alone > 0.3 && alone < 0.7, qPrintable(QString::number(alone)));
         request.clip.reset();
         request.camera.orientation = orbit(0, 0);
-        const double whole = redder();
+        const double whole = shareOfRed(request);
         QVERIFY2(whole > 0.3 && whole < 0.7, qPrintable(QString::number(whole)));
     }
 
-    // The eye stands beside the camera and looks straight ahead; its picture is shifted so that the target
+    // Of two bodies side by side, the left one is nearer.
+    void theEndOfThePaletteIsNear() {
+        systems::System3 pair;
+        for (const double side : {-1.0, 1.0})
+            ifs::append<3>(pair, systems::scaled(0.3, side, 0, -side));
+        const SpaceRequest request = redAndBlueXRay(pair, 0);
+        const double left = shareOfRed(request, 0, 40), right = shareOfRed(request, 40, 80);
+        QVERIFY2(left > 0.6, qPrintable(QString::number(left)));
+        QVERIFY2(right < 0.4, qPrintable(QString::number(right)));
+    }
+
+    // 0.2126·200 + 0.7152·100 + 0.0722·50 = 117.65 is the red of the first picture.
+    void anAnaglyphJoinsColours() {
+        const std::vector<std::uint32_t> left{0xFFC86432}, right{0xFF0A141E}, both{0xFF76141E};
+        QCOMPARE(joined(Stereo::Anaglyph, left, right, 1), both);
+        const std::vector<Rgba16> fineLeft{Rgba16{60000, 30000, 10000, 65535}};
+        const std::vector<Rgba16> fineRight{Rgba16{1, 2, 3, 65535}}, fine{Rgba16{34934, 2, 3, 65535}};
+        QVERIFY(joined(Stereo::Anaglyph, fineLeft, fineRight, 1) == fine);
+    }
+
+    // Each eye stands beside the camera and looks straight ahead; its picture is shifted so that the target
     // stays in place: projected from the eye onto the plane of the target.
     void anEyeBesideTheCameraSeesWhatIsProjectedFromThere() {
         OrbitCamera camera;
@@ -275,20 +307,23 @@ private slots:
         camera.target = {0.3, -0.2, 0.5};
         camera.orientation = orbit(33, -12, 20);
         camera.projection = OrbitCamera::Projection::Perspective;
-        const double shift = stereoEye, distance = eyeDistance(camera), unit = pixelsPerUnit(camera);
-        const SpaceView view = spaceView(camera, {}, shift);
-        for (const Vector<3>& point :
-             {Vector<3>(0.3, -0.2, 0.5), Vector<3>(1, 1, 1), Vector<3>(-1, 0.5, 0)}) {
-            const Vector<3> at = worldToCamera(camera)(point);
-            const double eye = shift * distance;
-            const double x = eye + (at.x() - eye) * distance / (distance + at.z());
-            const double y = at.y() * distance / (distance + at.z());
-            ifs::AffineMap<3> word;
-            word.linear *= 1e-9;
-            word.translation = point;
-            const SeenWord seenAt = seen(view.toPixels * word, view);
-            QVERIFY(std::abs(seenAt.onScreen.translation.x() - (200 + unit * x)) < 1e-6);
-            QVERIFY(std::abs(seenAt.onScreen.translation.y() - (150 - unit * y)) < 1e-6);
+        const double distance = eyeDistance(camera), unit = pixelsPerUnit(camera);
+        for (const double shift : {-1.0 / 60, 1.0 / 60}) {
+            QCOMPARE(std::abs(shift), stereoEye);
+            const SpaceView view = spaceView(camera, {}, shift);
+            for (const Vector<3>& point :
+                 {Vector<3>(0.3, -0.2, 0.5), Vector<3>(1, 1, 1), Vector<3>(-1, 0.5, 0)}) {
+                const Vector<3> at = worldToCamera(camera)(point);
+                const double eye = shift * distance;
+                const double x = eye + (at.x() - eye) * distance / (distance + at.z());
+                const double y = at.y() * distance / (distance + at.z());
+                ifs::AffineMap<3> word;
+                word.linear *= 1e-9;
+                word.translation = point;
+                const SeenWord seenAt = seen(view.toPixels * word, view);
+                QVERIFY(std::abs(seenAt.onScreen.translation.x() - (200 + unit * x)) < 1e-6);
+                QVERIFY(std::abs(seenAt.onScreen.translation.y() - (150 - unit * y)) < 1e-6);
+            }
         }
     }
 };

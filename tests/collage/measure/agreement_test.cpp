@@ -157,6 +157,20 @@ private slots:
         QCOMPARE(collageMeasure(picture(square), shifted).overlap, 4.0 / 3);
     }
 
+    // Off the grid, too, a cell counts once, however many points of images lie in it.
+    void excessIsThatOfTheAreas() {
+        const Target whole = picture(triangle(512, 0.9));
+        const auto far = ifs::affineMap(0.3, 0, 0, 0.3, 40, 0);
+        for (const Maps& maps : {Maps{far}, Maps{far, far}}) {
+            const Agreement images = collageMeasure(whole, maps).images;
+            QVERIFY2(support::near(images.excess, 0.09, 0.005), qPrintable(QString::number(images.excess)));
+            QCOMPARE(images.coverage, 0.0);
+            QCOMPARE(images.iou, 0.0);
+        }
+        const Maps large{ifs::affineMap(2, 0, 0, 2, 40, 0)};
+        QVERIFY(support::near(collageMeasure(whole, large).images.excess, 4, 0.05));
+    }
+
     void mapsThatDoNotContractHaveNoBound() {
         const Mask mask = triangle(64, 0.8);
         QVERIFY(!collageMeasure(picture(mask), Maps{ifs::affineMap(1.2, 0, 0, 0.5, 0, 0)}).bound);

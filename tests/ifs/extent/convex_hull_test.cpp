@@ -56,6 +56,18 @@ bool mayHaveArea(const ConvexHull& hull, double area) {
     return hull.area <= area + 1e-12 && area <= hull.area + seam + 1e-12;
 }
 
+// Box and hull of usual tolerance, which hold an orbit.
+void verifyTight(const Maps2& maps, Random& random) {
+    const auto support = *SupportFunction<2>::of(maps);
+    const auto box = boundingBox(support);
+    const double diagonal = (box.max - box.min).norm();
+    QVERIFY2(box.error <= 1e-11 * diagonal, qPrintable(QString::number(box.error / diagonal)));
+    const auto hull = convexHull(support, 1e-6 * diagonal);
+    QVERIFY2(hull.error <= 1e-6 * diagonal, qPrintable(QString::number(hull.error / diagonal)));
+    for (const auto& x : orbit<2>(maps, 2000, random))
+        QVERIFY(outside(hull.vertices, x) <= hull.error + 1e-12 * diagonal);
+}
+
 } // namespace
 
 class ConvexHullTest : public QObject {
@@ -219,15 +231,15 @@ private slots:
         for (int n = 0; n < 40; ++n) {
             auto maps = randomContractions<2>(random, 12 + int(random() % 21));
             maps.front().linear *= 0.97 / spectralNorm<2>(maps.front().linear);
-            const auto support = *SupportFunction<2>::of(maps);
-            const auto box = boundingBox(support);
-            const double diagonal = (box.max - box.min).norm();
-            QVERIFY2(box.error <= 1e-11 * diagonal, qPrintable(QString::number(box.error / diagonal)));
-            const auto hull = convexHull(support, 1e-6 * diagonal);
-            QVERIFY2(hull.error <= 1e-6 * diagonal, qPrintable(QString::number(hull.error / diagonal)));
-            for (const auto& x : orbit<2>(maps, 2000, random))
-                QVERIFY(outside(hull.vertices, x) <= hull.error + 1e-12 * diagonal);
+            verifyTight(maps, random);
         }
+    }
+
+    // Up to 32 maps with norms up to 0.98.
+    void anyNumberOfMapsIsTight() {
+        Random random(9);
+        for (int n = 0; n < 40; ++n)
+            verifyTight(randomContractions<2>(random, 2 + int(random() % 31), 0.98), random);
     }
 
     // Lines that differed in the last digits replaced each other for ever.

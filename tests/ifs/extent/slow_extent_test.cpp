@@ -66,7 +66,7 @@ private slots:
             QVERIFY(support.has_value());
             const auto box = boundingBox(*support);
             const double size = (box.max - box.min).norm();
-            QVERIFY(box.error <= 1e-8 * size);
+            QVERIFY2(box.error <= 1e-9 * size, qPrintable(QString::number(box.error / size)));
             const auto hull = convexHull(*support, 1e-6 * size);
             QVERIFY(hull.error <= 2e-6 * size);
             for (const Vector<2>& x : orbit<2>(maps, 20'000, random)) {

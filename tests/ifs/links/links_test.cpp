@@ -212,6 +212,41 @@ private slots:
         }
     }
 
+    // Of two parts, each with the Lebesgue measure of [0, 1] on it, one with maps of ratio ½, one of ¼.
+    void partsHaveTheirOwnDimensions() {
+        System system;
+        for (const double shift : {0.0, 0.5})
+            append(system, affineMap(0.5, 0, 0, 0.5, shift, 0), 1);
+        for (const double shift : {0.0, 0.25, 0.5, 0.75})
+            append(system, affineMap(0.25, 0, 0, 0.25, shift, 0), 1);
+        std::vector<double> links(36, 0);
+        for (std::size_t i = 0; i < 6; ++i)
+            for (std::size_t j = 0; j < 6; ++j)
+                links[6 * i + j] = (i < 2) == (j < 2);
+        setLinks(system, links);
+        const auto facts = factsOf(system);
+        QVERIFY(near(*facts.similarityDimension, 1, 1e-14));
+        QVERIFY(near(*facts.invariants.measureDimension, 1, 1e-14));
+        // Parts of different dimensions: the larger one counts, whatever the share of the smaller one.
+        system.maps[2].weight = 1e9;
+        const auto uneven = factsOf(system);
+        QVERIFY(near(*uneven.invariants.measureDimension, 1, 1e-14));
+    }
+
+    // The bound holds what is known of such systems, and is not far above it.
+    void dimensionsHaveErrors() {
+        const auto check = [](const System& system, double known) {
+            const auto facts = factsOf(system);
+            QVERIFY(facts.affinityDimensionError > 0 && facts.affinityDimensionError < 1e-8);
+            QVERIFY(std::abs(*facts.affinityDimension - known) <= facts.affinityDimensionError);
+        };
+        check(goldenMean(), std::log((1 + std::sqrt(5.0)) / 2) / std::log(2.0));
+        check(dragonBoundary(), 1.523627086202492);
+        System cycle = threeOnALine(); // finitely many points
+        setLinks(cycle, std::vector<double>{0, 1, 0, 0, 0, 1, 1, 0, 0});
+        QCOMPARE(factsOf(cycle).affinityDimensionError, 0.0);
+    }
+
     // Nothing that is known of the maps without their links is claimed of them.
     void noFactsOfTheUnlinkedMaps() {
         const auto facts = factsOf(goldenMean());

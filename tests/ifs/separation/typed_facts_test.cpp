@@ -183,6 +183,23 @@ private slots:
         QVERIFY(typedMaps(system, activeMaps(system)).empty());
         QCOMPARE(factsOf(system).invariants.contacts->connectedness, Connectedness::ConnectedToRounding);
     }
+    // Products of √3 and 1 + √2 are no such numbers.
+    void rootsOfTwoKindsProveNothing() {
+        const auto curve = [](const Surd& length) { // Koch's, with one of the maps mirrored
+            const Surd half = Surd(1) / Surd(6), high = root3 / Surd(6);
+            return typedSystem({{third, 0, 0, third, 0, 0},
+                                {half, -high, high, half, length * third, 0},
+                                {-half, high, high, half, length * two_thirds, 0},
+                                {third, 0, 0, third, length * two_thirds, 0}});
+        };
+        const Invariants one = factsOf(curve(Surd(1) + root3)).invariants;
+        QCOMPARE(one.contacts->connectedness, Connectedness::Connected);
+        QCOMPARE(one.openSet->certainty, Certainty::Exact);
+        const Invariants two = factsOf(curve(Surd(1) + Surd::root(2))).invariants;
+        QCOMPARE(two.contacts->connectedness, Connectedness::ConnectedToRounding);
+        QCOMPARE(two.openSet->condition, OpenSetCondition::Holds);
+        QCOMPARE(two.openSet->certainty, Certainty::ToRounding);
+    }
     void copiesBySymmetryProveNothing() {
         IteratedFunctionSystem<2> system = typedSystem(thirds({0, 1}));
         system.symmetry.group = SymmetryGroup::Rotation;

@@ -59,6 +59,14 @@ private slots:
         QVERIFY(mirrors<2>(at(0), affineMap(.5, 0, 0, -.5, 0, 0)) && !mirrors<2>(at(0), at(180)));
     }
 
+    // Half a turn goes counter-clockwise, there and back.
+    void aTieTurnsCounterClockwise() {
+        const AffineMap<2> upright = affineMap(.5, 0, 0, .5, 0, 0), turned = affineMap(-.5, 0, 0, -.5, 0, 0);
+        const Matrix<2> quarter = affineMap(0, -.5, .5, 0, 0, 0).linear;
+        QVERIFY((interpolated<2>(upright, turned, 0.5, {0, 0}).linear - quarter).norm() < 1e-14);
+        QVERIFY((interpolated<2>(turned, upright, 0.5, {0, 0}).linear + quarter).norm() < 1e-14);
+    }
+
     void aPointGrowsWithoutTurning() {
         for (const Vector<2>& image : {Vector<2>(0, 0), Vector<2>(1, -2)}) {
             const AffineMap<2> point{Matrix<2>::Zero(), image};

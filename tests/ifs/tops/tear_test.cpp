@@ -149,6 +149,10 @@ void TearTest::homeomorphisms_data() {
     row("triangles that rounding has moved", triangle(.5, .5, .5), triangle(.65, .3, .4),
         Homeomorphism::Unknown);
     row("fern and maple", canonical::fern(), canonical::maple(), Homeomorphism::Unknown);
+    // Pieces of both meet or overlap, but only the square is connected.
+    const Maps scattered{ifs::affineMap(.45, 0, 0, .45, 0, 0), ifs::affineMap(.65, 0, 0, .65, .3, 0),
+                         ifs::affineMap(.45, 0, 0, .45, 0, .5), ifs::affineMap(.1, 0, 0, .1, 30, 0)};
+    row("square and scattered pieces", canonical::square(), scattered, Homeomorphism::Refuted);
 }
 
 void TearTest::homeomorphisms() {

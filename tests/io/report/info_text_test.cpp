@@ -10,6 +10,7 @@
 #include <QJsonObject>
 #include <QtTest>
 
+#include <cmath>
 #include <memory>
 
 namespace {
@@ -237,6 +238,21 @@ private slots:
         QVERIFY(
             lineOf(segment, QStringLiteral("dimension of measure")).startsWith(QStringLiteral("at most 1 ")));
         QCOMPARE(lineOf(segment, QStringLiteral("connectedness")), QStringLiteral("connected"));
+    }
+
+    // The numbers of a Koch curve are rounded, so what is known of it holds within rounding error.
+    void saysWhatHoldsWithinRounding() {
+        const double third = 1. / 3, half = 1. / 6, high = std::sqrt(3) / 6;
+        const auto koch = subjectOf({{third, 0, 0, third, 0, 0},
+                                     {half, -high, high, half, third, 0},
+                                     {half, high, -high, half, .5, high},
+                                     {third, 0, 0, third, 2 * third, 0}});
+        const QString spectrum = lineOf(koch, QStringLiteral("spectrum"));
+        QVERIFY2(spectrum.startsWith(QStringLiteral("D0 1.26186, D1 1.26186")) &&
+                     spectrum.endsWith(QStringLiteral(" (within rounding error)")),
+                 qPrintable(spectrum));
+        const QString exact = lineOf(subjectOf(Gasket), QStringLiteral("spectrum"));
+        QVERIFY2(exact.endsWith(QStringLiteral("D∞ 1.58496")), qPrintable(exact));
     }
 
     void saysWhereNoFactorIsKnown() {
