@@ -39,7 +39,7 @@ ComparePane::ComparePane(document::Document* document, const RenderBridge* rende
 }
 
 ComparePane::~ComparePane() {
-    if (m_partner) m_document->setBeside(EntryId::None);
+    if (m_partner && m_document) m_document->setBeside(EntryId::None);
     delete m_otherPlane; // destroyed before the document
     delete m_otherSpace;
     delete m_otherRender;

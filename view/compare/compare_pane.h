@@ -3,6 +3,7 @@
 
 #include "document/tops/partner_document.h"
 
+#include <QPointer>
 #include <QWidget>
 
 #include <map>
@@ -69,7 +70,7 @@ private:
     void linkPlanes(CanvasView* from, CanvasView* to);
     void linkSpaces(SpaceView* from, SpaceView* to);
 
-    document::Document* m_document;
+    QPointer<document::Document> m_document; // may be destroyed before the pane
     const RenderBridge* m_render;
     CanvasView* m_plane;
     SpaceView* m_space;

@@ -42,6 +42,9 @@
 #include <QToolBar>
 #include <QUndoStack>
 
+#include <algorithm>
+#include <vector>
+
 // The window as a whole: what it opens, and what reaches it from elsewhere.
 class MainWindowTest : public SessionFixture {
     Q_OBJECT
@@ -567,6 +570,17 @@ void MainWindowTest::theMapsAreNumberedOnTheCanvas() {
     auto* numbers = support::command(*window, "numbers-of-maps");
     QVERIFY(numbers && !numbers->isChecked());
     QTRY_VERIFY(!canvas->picture().isNull());
+    const auto placesOfNumbers = [&] { // the fixed points of the maps
+        std::vector<QRect> places;
+        for (const auto& map : document::system2(window->document().fractal())->maps) {
+            const QPoint fixed = view::pixelOf(canvas->camera(), *ifs::fixedPoint(map.map)).toPoint();
+            places.emplace_back(fixed - QPoint(4, 4), QSize(9, 9));
+        }
+        return places;
+    };
+    QTRY_VERIFY(std::ranges::all_of(placesOfNumbers(), [&](const QRect& place) {
+        return canvas->viewport()->rect().contains(place); // once the picture is fitted
+    }));
     // No event comes between them: the picture is the same in all three.
     const QImage before = canvas->viewport()->grab().toImage();
     numbers->trigger();
@@ -574,11 +588,8 @@ void MainWindowTest::theMapsAreNumberedOnTheCanvas() {
     numbers->trigger();
     const QImage after = canvas->viewport()->grab().toImage();
     QVERIFY(before == after);
-    for (const auto& map : document::system2(window->document().fractal())->maps) {
-        const QPoint fixed = view::pixelOf(canvas->camera(), *ifs::fixedPoint(map.map)).toPoint();
-        const QRect around(fixed - QPoint(4, 4), QSize(9, 9));
-        QVERIFY(with.copy(around) != before.copy(around));
-    }
+    for (const QRect& place : placesOfNumbers())
+        QVERIFY(with.copy(place) != before.copy(place));
 }
 
 BARYCAGE_TEST(MainWindowTest, QApplication);

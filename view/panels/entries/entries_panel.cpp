@@ -97,6 +97,10 @@ EntriesPanel::EntriesPanel(document::Document* document, QWidget* parent)
     showCurrent();
 }
 
+EntriesPanel::~EntriesPanel() {
+    hide(); // ends the typing of a name, while there is still a panel to be asked
+}
+
 void EntriesPanel::createList() {
     m_filtered->setSourceModel(m_model);
     m_list->setModel(m_filtered);

@@ -25,6 +25,7 @@ class EntriesPanel : public QWidget {
 
 public:
     explicit EntriesPanel(document::Document* document, QWidget* parent = nullptr);
+    ~EntriesPanel() override;
 
 public slots:
     void addEntry(); // adds a Sierpiński triangle behind the current entry

@@ -44,6 +44,8 @@ CellSteps::CellSteps(QTableView* table) : QObject(table), m_table(table), m_name
 }
 
 bool CellSteps::eventFilter(QObject* watched, QEvent* event) {
+    // The parts of the table send more when they are destroyed, after it has ceased to be one.
+    if (!m_isHeld && !event->isInputEvent()) return false;
     if (!modelOf(m_table)) return false;
     if (m_isHeld && isEscape(*event)) {
         event->accept();

@@ -85,14 +85,13 @@ MapsPanel::MapsPanel(document::Document* document, QWidget* parent)
     layout->addWidget(m_bars);
     layout->addWidget(m_pages, 1);
 
-    m_following = connect(document, &document::Document::changed, this, &MapsPanel::follow);
+    connect(document, &document::Document::changed, this, &MapsPanel::follow);
     follow({document::Change::Everything, false});
     restoreSelection();
 }
 
-// The edit under way ends while the panel is destroyed, which no longer follows it.
 MapsPanel::~MapsPanel() {
-    disconnect(m_following);
+    hide(); // ends the edit under way, while there is still a panel that follows it
 }
 
 QAction* MapsPanel::action(const QString& text, const QString& iconName, const QString& shortcut,

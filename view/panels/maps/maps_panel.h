@@ -100,7 +100,6 @@ private:
 
     document::Document* m_document;
     BackgroundEdit* m_weighing;          // weights by dimension, which may take long
-    QMetaObject::Connection m_following; // connection to the document
     MapsModel* m_model;
     MapsClipboard* m_clipboard;
     SoloMap* m_solo;

@@ -92,7 +92,7 @@ void TransportBarTest::tabGoesAsTheFieldsAreSeen() {
             places.push_back(at->x());
     QVERIFY(places.size() >= 4);
     const auto again = std::ranges::min_element(places); // the beginning of the bar
-    std::ranges::rotate(places, again);
+    std::rotate(places.begin(), again, places.end());
     QVERIFY(std::ranges::is_sorted(places));
 }
 
