@@ -6852,8 +6852,8 @@
         <translation>Rückgängig</translation>
     </message>
     <message>
-        <source>Press Ctrl+Z to take back what you have just done.</source>
-        <translation>Drücken Sie Strg+Z, um das eben Getane zurückzunehmen.</translation>
+        <source>Press %1 to take back what you have just done.</source>
+        <translation>Drücken Sie %1, um das eben Getane zurückzunehmen.</translation>
     </message>
     <message>
         <source>Collection</source>
@@ -6876,8 +6876,8 @@
         <translation>Export</translation>
     </message>
     <message>
-        <source>Press Ctrl+E to save the picture for others.</source>
-        <translation>Drücken Sie Strg+E, um das Bild für andere zu speichern.</translation>
+        <source>Press %1 to save the picture for others.</source>
+        <translation>Drücken Sie %1, um das Bild für andere zu speichern.</translation>
     </message>
     <message>
         <source>That Is It</source>
@@ -6932,8 +6932,8 @@
         <translation>Jetzt können Sie alles, was Ihnen gefällt, an den Ecken packen.</translation>
     </message>
     <message>
-        <source>Press Ctrl+Z once more: the picture is still flat.</source>
-        <translation>Drücken Sie noch einmal Strg+Z: Das Bild ist noch flach.</translation>
+        <source>Press %1 once more: the picture is still flat.</source>
+        <translation>Drücken Sie noch einmal %1: Das Bild ist noch flach.</translation>
     </message>
 </context>
 <context>
@@ -8491,8 +8491,8 @@
         <translation>Was weit hinter diesem kleinen Ausschnitt liegt, kann in falscher Reihenfolge erscheinen. Verkleinern Sie ein wenig für ein wahres Bild.</translation>
     </message>
     <message>
-        <source>Nothing here. Press F to see the whole picture.</source>
-        <translation>Hier ist nichts. Drücken Sie F, um das ganze Bild zu sehen.</translation>
+        <source>Nothing here. Press %1 to see the whole picture.</source>
+        <translation>Hier ist nichts. Drücken Sie %1, um das ganze Bild zu sehen.</translation>
     </message>
     <message>
         <source>Moving the cage rewrites the code</source>
@@ -8804,8 +8804,8 @@
         <translation>Käfig zurücksetzen</translation>
     </message>
     <message>
-        <source>Only the picture is shown. Press H to see the cage again.</source>
-        <translation>Nur das Bild wird gezeigt. Drücken Sie H, um den Käfig wieder zu sehen.</translation>
+        <source>Only the picture is shown. Press %1 to see the cage again.</source>
+        <translation>Nur das Bild wird gezeigt. Drücken Sie %1, um den Käfig wieder zu sehen.</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -11673,10 +11673,6 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <source>Move step</source>
         <translation>Schritt verschieben</translation>
     </message>
-    <message>
-        <source>Rename entry</source>
-        <translation>Eintrag umbenennen</translation>
-    </message>
 </context>
 <context>
     <name>view::LessonPanel</name>
@@ -13857,6 +13853,10 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>“%1” is used on the canvas and in fields. Choose other keys.</source>
         <translation>„%1“ wird auf der Zeichenfläche und in Feldern gebraucht. Wählen Sie andere Tasten.</translation>
+    </message>
+    <message>
+        <source>“%1”</source>
+        <translation>„%1“</translation>
     </message>
 </context>
 <context>

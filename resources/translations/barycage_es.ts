@@ -6852,8 +6852,8 @@
         <translation>Deshacer</translation>
     </message>
     <message>
-        <source>Press Ctrl+Z to take back what you have just done.</source>
-        <translation>Pulse Ctrl+Z para deshacer lo que acaba de hacer.</translation>
+        <source>Press %1 to take back what you have just done.</source>
+        <translation>Pulse %1 para deshacer lo que acaba de hacer.</translation>
     </message>
     <message>
         <source>Collection</source>
@@ -6876,8 +6876,8 @@
         <translation>Exportar</translation>
     </message>
     <message>
-        <source>Press Ctrl+E to save the picture for others.</source>
-        <translation>Pulse Ctrl+E para guardar la imagen y compartirla.</translation>
+        <source>Press %1 to save the picture for others.</source>
+        <translation>Pulse %1 para guardar la imagen y compartirla.</translation>
     </message>
     <message>
         <source>That Is It</source>
@@ -6932,8 +6932,8 @@
         <translation>Ahora tome lo que quiera por sus esquinas.</translation>
     </message>
     <message>
-        <source>Press Ctrl+Z once more: the picture is still flat.</source>
-        <translation>Pulse Ctrl+Z otra vez: la imagen aún está plana.</translation>
+        <source>Press %1 once more: the picture is still flat.</source>
+        <translation>Pulse %1 otra vez: la imagen aún está plana.</translation>
     </message>
 </context>
 <context>
@@ -8491,8 +8491,8 @@
         <translation>Lo que está muy por detrás de esta vista tan pequeña puede dibujarse en un orden incorrecto. Aleje un poco la vista para obtener una imagen fiel.</translation>
     </message>
     <message>
-        <source>Nothing here. Press F to see the whole picture.</source>
-        <translation>Aquí no hay nada. Pulse F para ver toda la imagen.</translation>
+        <source>Nothing here. Press %1 to see the whole picture.</source>
+        <translation>Aquí no hay nada. Pulse %1 para ver toda la imagen.</translation>
     </message>
     <message>
         <source>Moving the cage rewrites the code</source>
@@ -8804,8 +8804,8 @@
         <translation>Restablecer la jaula</translation>
     </message>
     <message>
-        <source>Only the picture is shown. Press H to see the cage again.</source>
-        <translation>Solo se muestra la imagen. Pulse H para volver a ver la jaula.</translation>
+        <source>Only the picture is shown. Press %1 to see the cage again.</source>
+        <translation>Solo se muestra la imagen. Pulse %1 para volver a ver la jaula.</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -11673,10 +11673,6 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <source>Move step</source>
         <translation>Mover el paso</translation>
     </message>
-    <message>
-        <source>Rename entry</source>
-        <translation>Cambiar el nombre de la entrada</translation>
-    </message>
 </context>
 <context>
     <name>view::LessonPanel</name>
@@ -13857,6 +13853,10 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>“%1” is used on the canvas and in fields. Choose other keys.</source>
         <translation>«%1» se usa en el lienzo y en los campos. Elija otras teclas.</translation>
+    </message>
+    <message>
+        <source>“%1”</source>
+        <translation>«%1»</translation>
     </message>
 </context>
 <context>

@@ -6852,8 +6852,8 @@
         <translation>Annuler</translation>
     </message>
     <message>
-        <source>Press Ctrl+Z to take back what you have just done.</source>
-        <translation>Appuyez sur Ctrl+Z pour annuler ce que vous venez de faire.</translation>
+        <source>Press %1 to take back what you have just done.</source>
+        <translation>Appuyez sur %1 pour annuler ce que vous venez de faire.</translation>
     </message>
     <message>
         <source>Collection</source>
@@ -6876,8 +6876,8 @@
         <translation>Exporter</translation>
     </message>
     <message>
-        <source>Press Ctrl+E to save the picture for others.</source>
-        <translation>Appuyez sur Ctrl+E pour enregistrer l’image à partager.</translation>
+        <source>Press %1 to save the picture for others.</source>
+        <translation>Appuyez sur %1 pour enregistrer l’image à partager.</translation>
     </message>
     <message>
         <source>That Is It</source>
@@ -6932,8 +6932,8 @@
         <translation>Prenez maintenant ce que vous voulez par ses coins.</translation>
     </message>
     <message>
-        <source>Press Ctrl+Z once more: the picture is still flat.</source>
-        <translation>Appuyez encore une fois sur Ctrl+Z : l’image est encore plate.</translation>
+        <source>Press %1 once more: the picture is still flat.</source>
+        <translation>Appuyez encore une fois sur %1 : l’image est encore plate.</translation>
     </message>
 </context>
 <context>
@@ -8491,8 +8491,8 @@
         <translation>Ce qui se trouve loin derrière cette petite vue peut être dessiné dans le mauvais ordre. Faites un petit zoom arrière pour une image fidèle.</translation>
     </message>
     <message>
-        <source>Nothing here. Press F to see the whole picture.</source>
-        <translation>Rien ici. Appuyez sur F pour voir toute l’image.</translation>
+        <source>Nothing here. Press %1 to see the whole picture.</source>
+        <translation>Rien ici. Appuyez sur %1 pour voir toute l’image.</translation>
     </message>
     <message>
         <source>Moving the cage rewrites the code</source>
@@ -8804,8 +8804,8 @@
         <translation>Réinitialiser la cage</translation>
     </message>
     <message>
-        <source>Only the picture is shown. Press H to see the cage again.</source>
-        <translation>Seule l’image est affichée. Appuyez sur H pour revoir la cage.</translation>
+        <source>Only the picture is shown. Press %1 to see the cage again.</source>
+        <translation>Seule l’image est affichée. Appuyez sur %1 pour revoir la cage.</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -11673,10 +11673,6 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <source>Move step</source>
         <translation>Déplacer l’étape</translation>
     </message>
-    <message>
-        <source>Rename entry</source>
-        <translation>Renommer l’entrée</translation>
-    </message>
 </context>
 <context>
     <name>view::LessonPanel</name>
@@ -13857,6 +13853,10 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>“%1” is used on the canvas and in fields. Choose other keys.</source>
         <translation>«&#x202f;%1&#x202f;» sert sur le canevas et dans les champs. Choisissez d’autres touches.</translation>
+    </message>
+    <message>
+        <source>“%1”</source>
+        <translation>« %1 »</translation>
     </message>
 </context>
 <context>

@@ -6867,8 +6867,8 @@
         <translation>Поништување</translation>
     </message>
     <message>
-        <source>Press Ctrl+Z to take back what you have just done.</source>
-        <translation>Притиснете Ctrl+Z за да го поништите она што штотуку го направивте.</translation>
+        <source>Press %1 to take back what you have just done.</source>
+        <translation>Притиснете %1 за да го поништите она што штотуку го направивте.</translation>
     </message>
     <message>
         <source>Collection</source>
@@ -6891,8 +6891,8 @@
         <translation>Извоз</translation>
     </message>
     <message>
-        <source>Press Ctrl+E to save the picture for others.</source>
-        <translation>Притиснете Ctrl+E за да ја зачувате сликата за други.</translation>
+        <source>Press %1 to save the picture for others.</source>
+        <translation>Притиснете %1 за да ја зачувате сликата за други.</translation>
     </message>
     <message>
         <source>That Is It</source>
@@ -6947,8 +6947,8 @@
         <translation>Сега фатете што сакате за неговите темиња.</translation>
     </message>
     <message>
-        <source>Press Ctrl+Z once more: the picture is still flat.</source>
-        <translation>Притиснете Ctrl+Z уште еднаш: сликата е сè уште рамна.</translation>
+        <source>Press %1 once more: the picture is still flat.</source>
+        <translation>Притиснете %1 уште еднаш: сликата е сè уште рамна.</translation>
     </message>
 </context>
 <context>
@@ -8508,8 +8508,8 @@
         <translation>Она што е далеку зад овој мал приказ може да биде нацртано по погрешен редослед. Намалете го малку приказот за верна слика.</translation>
     </message>
     <message>
-        <source>Nothing here. Press F to see the whole picture.</source>
-        <translation>Тука нема ништо. Притиснете F за да ја видите целата слика.</translation>
+        <source>Nothing here. Press %1 to see the whole picture.</source>
+        <translation>Тука нема ништо. Притиснете %1 за да ја видите целата слика.</translation>
     </message>
     <message>
         <source>Moving the cage rewrites the code</source>
@@ -8821,8 +8821,8 @@
         <translation>Врати го кафезот во мирување</translation>
     </message>
     <message>
-        <source>Only the picture is shown. Press H to see the cage again.</source>
-        <translation>Се прикажува само сликата. Притиснете H за повторно да го видите кафезот.</translation>
+        <source>Only the picture is shown. Press %1 to see the cage again.</source>
+        <translation>Се прикажува само сликата. Притиснете %1 за повторно да го видите кафезот.</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -11704,10 +11704,6 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <source>Move step</source>
         <translation>Помести го чекорот</translation>
     </message>
-    <message>
-        <source>Rename entry</source>
-        <translation>Преименувај запис</translation>
-    </message>
 </context>
 <context>
     <name>view::LessonPanel</name>
@@ -13890,6 +13886,10 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>“%1” is used on the canvas and in fields. Choose other keys.</source>
         <translation>„%1“ се користи на платното и во полињата. Изберете други копчиња.</translation>
+    </message>
+    <message>
+        <source>“%1”</source>
+        <translation>„%1“</translation>
     </message>
 </context>
 <context>

@@ -8,6 +8,7 @@
 #include "canvas/items/attractor_item.h"
 #include "canvas/items/border_arrows_item.h"
 #include "canvas/scene/handle_text.h"
+#include "desktop/shortcuts.h"
 #include "document/analysis/analysis.h"
 #include "document/edits/cage/cage_actions.h"
 #include "document/fractal/fractal_geometry.h"
@@ -97,7 +98,9 @@ void CanvasView::connectParts() {
     connect(&m_options, &CanvasOptions::overlaysVisibleChanged, this, [this](bool visible) {
         cancelGesture();
         refreshCursor();
-        emit message(visible ? QString() : tr("Only the picture is shown. Press H to see the cage again."));
+        emit message(visible ? QString()
+                             : tr("Only the picture is shown. Press %1 to see the cage again.")
+                                   .arg(toPress(QStringLiteral("hide"), Qt::Key_H)));
     });
     connect(&m_tools, &Toolbox::message, this, &CanvasView::message);
     connect(&m_tools, &Toolbox::cursorChanged, this, &CanvasView::refreshCursor);

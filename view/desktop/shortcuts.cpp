@@ -52,6 +52,16 @@ void setShortcuts(const QString& command, const std::optional<Shortcuts>& keys) 
             if (action->objectName() == command) action->setShortcuts(keys.value_or(usualShortcuts(*action)));
 }
 
+QString toPress(const QString& command, const QKeySequence& usual) {
+    for (const QWidget* window : QApplication::topLevelWidgets())
+        for (const QAction* action : window->actions())
+            if (action->objectName() == command)
+                return action->shortcut().isEmpty()
+                           ? ShortcutText::tr("“%1”").arg(action->text().remove(u'&').remove(u'…'))
+                           : action->shortcut().toString(QKeySequence::NativeText);
+    return usual.toString(QKeySequence::NativeText);
+}
+
 QString shortcutObstacle(const QKeySequence& keys) {
     if (keys.isEmpty()) return {};
     constexpr Qt::Key ours[] = {Qt::Key_Left,  Qt::Key_Right,     Qt::Key_Up,    Qt::Key_Down,   Qt::Key_Tab,

@@ -36,6 +36,14 @@ QString remembered(const QString& chosen) {
     return chosen;
 }
 
+// A folder in which nothing can be written is none to begin in the next time.
+QString rememberedToSave(const QString& chosen) {
+    const QString folder = QFileInfo(chosen).absolutePath();
+    const bool isWritable =
+        io::answerSoon([folder] { return QFileInfo(folder).isWritable(); }).value_or(true);
+    return isWritable ? remembered(chosen) : chosen;
+}
+
 } // namespace
 
 QString suggestedName(const QString& name, const QString& suffix) {
@@ -53,7 +61,7 @@ QString chooseFileToSave(QWidget* parent, const QString& title, const QString& s
     dialog.setDefaultSuffix(suffix);
     dialog.selectFile(suggested.fileName());
     if (dialog.exec() != QDialog::Accepted) return {};
-    return remembered(dialog.selectedFiles().value(0));
+    return rememberedToSave(dialog.selectedFiles().value(0));
 }
 
 QString chooseFileToOpen(QWidget* parent, const QString& title, const QString& filter,

@@ -154,7 +154,7 @@ void LessonCommands::createActions() {
                           "print"},
                          [this] { this->print(); });
     const auto update = [this, play, next, back, save, saveAs, print] {
-        print->setEnabled(!m_notebook->lesson().steps.isEmpty() && !m_player->isPlaying());
+        print->setEnabled(!m_notebook->lesson().steps.isEmpty());
         play->setEnabled(!m_notebook->lesson().steps.isEmpty() && !m_player->isPlaying());
         for (QAction* saving : {save, saveAs})
             saving->setEnabled(!m_notebook->isEmpty() && !m_player->isPlaying());
@@ -572,7 +572,8 @@ void LessonCommands::addStep() {
 }
 
 void LessonCommands::print() {
-    view::printLesson(m_notebook->lesson(), context().document->file(), m_parts.window,
+    const document::FractalFile& file = m_player->isPlaying() ? m_player->file() : context().document->file();
+    view::printLesson(m_notebook->lesson(), file, m_parts.window,
                       [context = context()](const QString& sentence, const QString& path) {
                           context.messages->say(sentence);
                           WrittenBanner::offerPrinted(context.window, *context.document, path);

@@ -71,6 +71,7 @@ void LessonPlayer::play(const document::Lesson& lesson, int from) {
     m_before.entry.clear();
     m_beforeEntry = m_parts.document->currentId();
     m_base = m_parts.document->undoStack()->index();
+    m_file = m_parts.document->file();
     m_wasPresentation = m_presentation->isChecked();
     const auto* bar = m_parts.window->findChild<QToolBar*>(QStringLiteral("construction"));
     m_wasConstructionShown = bar && !bar->isHidden();
@@ -131,6 +132,7 @@ void LessonPlayer::stop() {
     takeBack();
     forgetOwnSteps();
     m_dock->hide();
+    m_file = {};
     if (m_wasPresentation)
         showPanels({});
     else

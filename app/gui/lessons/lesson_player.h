@@ -26,6 +26,7 @@ public:
     void stop();
     bool isPlaying() const { return m_isPlaying; }
     int step() const { return m_step; }
+    const document::FractalFile& file() const { return m_file; } // at which every step starts
     void showStep(int step); // ignores numbers out of range
 
 signals:
@@ -56,6 +57,7 @@ private:
     bool m_wasConstructionShown = false;
     document::LessonState m_before; // state of the window before the lesson
     document::EntryId m_beforeEntry = document::EntryId::None;
+    document::FractalFile m_file;
     int m_base = 0;               // index in the history at which every step starts
     int m_shown = 0;              // index in the history at which the present step is shown
     bool m_hasOwnSteps = false;   // a step of the lesson has edited the file

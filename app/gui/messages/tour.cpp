@@ -3,6 +3,7 @@
 
 #include "canvas/canvas_view.h"
 #include "canvas/geometry/canvas_geometry.h"
+#include "desktop/shortcuts.h"
 #include "dialogs/export/export_shell.h"
 #include "document/fractal/fractal.h"
 #include "document/moments/animated_fractal.h"
@@ -57,7 +58,7 @@ constexpr Step steps[] = {
     {Deed::Undo,
      {},
      QT_TRANSLATE_NOOP("Tour", "Undo"),
-     QT_TRANSLATE_NOOP("Tour", "Press Ctrl+Z to take back what you have just done.")},
+     QT_TRANSLATE_NOOP("Tour", "Press %1 to take back what you have just done.")},
     {Deed::Open, Panel::Collection, QT_TRANSLATE_NOOP("Tour", "Collection"),
      QT_TRANSLATE_NOOP("Tour", "Double-click a picture of the collection that you like.")},
     {Deed::Move, Panel::Timeline, QT_TRANSLATE_NOOP("Tour", "Wind"),
@@ -65,7 +66,7 @@ constexpr Step steps[] = {
     {Deed::Export,
      {},
      QT_TRANSLATE_NOOP("Tour", "Export"),
-     QT_TRANSLATE_NOOP("Tour", "Press Ctrl+E to save the picture for others.")},
+     QT_TRANSLATE_NOOP("Tour", "Press %1 to save the picture for others.")},
     {Deed::GoOn,
      {},
      QT_TRANSLATE_NOOP("Tour", "That Is It"),
@@ -95,11 +96,19 @@ constexpr auto windOverTracks = QT_TRANSLATE_NOOP(
     "Tour", "In the timeline, choose Wind under Add Motion and watch the picture sway as well.");
 
 // After the squeeze, one step back is the flat picture.
-constexpr auto undoOnceMore = QT_TRANSLATE_NOOP("Tour", "Press Ctrl+Z once more: the picture is still flat.");
+constexpr auto undoOnceMore = QT_TRANSLATE_NOOP("Tour", "Press %1 once more: the picture is still flat.");
 
 // Where the user has closed the panel of the step.
 constexpr auto panelIsClosed =
     QT_TRANSLATE_NOOP("Tour", "Open the panel %1 again: it is under View › Panels.");
+
+// The text of a step, with the keys that its user has for the deed.
+QString sentence(Deed deed, const QString& text) {
+    if (deed == Deed::Undo) return text.arg(view::toPress(QStringLiteral("undo"), QKeySequence::Undo));
+    if (deed == Deed::Export)
+        return text.arg(view::toPress(QStringLiteral("export-picture"), Qt::CTRL | Qt::Key_E));
+    return text;
+}
 
 // A frame that lets every click through.
 class Mark : public QWidget {
@@ -307,9 +316,9 @@ void Tour::keepSize() {
                             2 * margin);
     int tallest = 0;
     const QRect column(0, 0, widthFor(canvasRect().width() - 2 * margin) - 2 * margin, 10'000);
-    QStringList texts{tr(windOverTracks), tr(undoOnceMore), tr(panelIsClosed)};
+    QStringList texts{tr(windOverTracks), sentence(Deed::Undo, tr(undoOnceMore)), tr(panelIsClosed)};
     for (const Step& each : steps)
-        texts << tr(each.text);
+        texts << sentence(each.deed, tr(each.text));
     for (const QString& text : texts) {
         const QRect needed = m_text->fontMetrics().boundingRect(column, Qt::TextWordWrap, text);
         tallest = std::max(tallest, needed.height());
@@ -396,10 +405,11 @@ void Tour::showStep(int step) {
 
 QString Tour::textOf(int step) const {
     if (isAtPanel() && m_target->isHidden()) return tr(panelIsClosed).arg(m_target->windowTitle());
-    if (steps[step].deed == Deed::Undo && m_hasUndone && isFlat()) return tr(undoOnceMore);
+    if (steps[step].deed == Deed::Undo && m_hasUndone && isFlat())
+        return sentence(Deed::Undo, tr(undoOnceMore));
     const auto* timeline = host()->findChild<view::TimelinePanel*>();
     const bool isMoving = steps[step].deed == Deed::Move && timeline && timeline->showsTracks();
-    return tr(isMoving ? windOverTracks : steps[step].text);
+    return sentence(steps[step].deed, tr(isMoving ? windOverTracks : steps[step].text));
 }
 
 void Tour::tellStep() {

@@ -24,6 +24,7 @@
 #include <QLineEdit>
 #include <QMenuBar>
 #include <QMessageBox>
+#include <QPrintPreviewDialog>
 #include <QPushButton>
 #include <QTemporaryDir>
 #include <QTest>
@@ -572,6 +573,11 @@ void LessonTest::readyMadeLessonsTakeAWindowOfTheirOwn() {
     builtIn(u"maple_triangle"_s)->trigger();
     QCOMPARE(session::windows().size(), 1);
     QVERIFY(card()->isVisible() && shownText().contains(u"1 of 8"_s));
+    QVERIFY(command("print-lesson")->isEnabled()); // for those who hold the lesson
+    command("print-lesson")->trigger();
+    auto* preview = m_window->findChild<QPrintPreviewDialog*>();
+    QVERIFY(preview && preview->isVisible() && card()->isVisible());
+    preview->close();
     QTest::keyClick(canvas(), Qt::Key_Escape);
     QVERIFY(!document().isModified() && !notebook()->isModified());
 }

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
+#include "app/gui/choose_file.h"
 #include "app/gui/window_fixture.h"
+#include "desktop/settings.h"
 #include "panels/appearance/palettes/gradient_editor.h"
 #include "support/commands.h"
 #include "support/named_test.h"
+#include "support/unprivileged.h"
 #include "widgets/file_dialogs.h"
 
 #include <QDir>
+#include <QFile>
 #include <QFileDialog>
 #include <QLineEdit>
 #include <QSettings>
@@ -27,6 +31,7 @@ private slots:
     void theyAreNamesOfFiles();
     void palettesAreNoPaths_data() { names(); }
     void palettesAreNoPaths();
+    void foldersThatRefuseAreNotKept();
     void theEndingStays();
 
 private:
@@ -92,6 +97,27 @@ void SuggestedNamesTest::palettesAreNoPaths() {
     palette.name = name.toStdString();
     editor.setGradient(palette);
     verify(suggestedBy([&] { editor.findChild<QToolButton*>(u"save-palette"_s)->click(); }), m_folder.path());
+}
+
+// What could not be saved there is not what the next dialog begins with.
+void SuggestedNamesTest::foldersThatRefuseAreNotKept() {
+    const QString refusing = m_folder.filePath(u"refusing"_s);
+    QVERIFY(QDir().mkdir(refusing));
+    view::store(u"dialogs/folder"_s, m_folder.path());
+    QVERIFY(QFile::setPermissions(refusing, QFile::ReadOwner | QFile::ExeOwner));
+    QVERIFY(QFile::setPermissions(m_folder.path(),
+                                  QFile::permissions(m_folder.path()) | QFile::ReadOther | QFile::ExeOther));
+    QVERIFY(view::finishStoring());
+    QString chosen;
+    {
+        const support::Unprivileged nobody(refusing);
+        QVERIFY(nobody.isInForce());
+        QTimer answering;
+        support::chooseFile(answering, refusing + u"/a.png"_s);
+        chosen = view::chooseFileToSave(nullptr, u"Save"_s, u"a.png"_s, u"PNG (*.png)"_s, u"png"_s);
+    }
+    QCOMPARE(chosen, refusing + u"/a.png"_s);
+    QCOMPARE(view::stored(u"dialogs/folder"_s).toString(), m_folder.path());
 }
 
 void SuggestedNamesTest::theEndingStays() {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "canvas/canvas_view.h"
+#include "canvas/geometry/canvas_note.h"
 #include "desktop/settings.h"
 #include "desktop/shortcuts.h"
 #include "dialogs/command_palette.h"
@@ -32,6 +34,7 @@ private slots:
     void whatNoCommandHasIsKept();
     void keysOfOthersAreSwapped();
     void keysOfTheCanvasAreRefused();
+    void sentencesNameTheKeysOfTheUser();
     void defaultsReturn();
 
 private:
@@ -123,6 +126,28 @@ void UsersShortcutsTest::keysOfOthersAreSwapped() {
     QCOMPARE(command("fit")->shortcut(), mutate);
     QVERIFY(button("swap")->isHidden());
     QVERIFY2(note().contains(mutate.toString(QKeySequence::NativeText)), qPrintable(note()));
+}
+
+void UsersShortcutsTest::sentencesNameTheKeysOfTheUser() {
+    auto* canvas = m_window->findChild<view::CanvasView*>();
+    QSignalSpy said(canvas, &view::CanvasView::message);
+    const auto hint = [&] {
+        command("hide")->setChecked(true);
+        const QString sentence = said.last().first().toString();
+        command("hide")->setChecked(false);
+        return sentence;
+    };
+    QVERIFY(hint().contains(QStringLiteral("Press H ")));
+    view::setShortcuts(QStringLiteral("hide"), view::Shortcuts{QKeySequence(QStringLiteral("Ctrl+J"))});
+    QVERIFY(hint().contains(QStringLiteral("Press Ctrl+J ")));
+    view::setShortcuts(QStringLiteral("hide"), view::Shortcuts{});
+    QVERIFY2(hint().contains(QStringLiteral("Press “Only the Picture” ")),
+             qPrintable(said.last().first().toString()));
+    view::setShortcuts(QStringLiteral("hide"), std::nullopt);
+    view::setShortcuts(QStringLiteral("fit"), view::Shortcuts{QKeySequence(QStringLiteral("Ctrl+0"))});
+    QVERIFY(view::nothingHere().contains(QStringLiteral("Press Ctrl+0 ")));
+    view::setShortcuts(QStringLiteral("fit"), std::nullopt);
+    QVERIFY(view::nothingHere().contains(QStringLiteral("Press F ")));
 }
 
 void UsersShortcutsTest::keysOfTheCanvasAreRefused() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "canvas/geometry/canvas_note.h"
 
+#include "desktop/shortcuts.h"
 #include "document/document.h"
 #include "document/edits/cage/cage_edits.h"
 #include "document/fractal/fractal_geometry.h"
@@ -167,7 +168,8 @@ QString noteOn(const document::Fractal& fractal, attractor::RenderNote note) {
 }
 
 QString nothingHere() {
-    return Notes::tr("Nothing here. Press F to see the whole picture.");
+    return Notes::tr("Nothing here. Press %1 to see the whole picture.")
+        .arg(toPress(QStringLiteral("fit"), Qt::Key_F));
 }
 
 QString modeNote(document::CageMode mode) {

@@ -4,7 +4,9 @@
 #include "document/edits/cage/cage_edits.h"
 #include "document/edits/maps/map_locks.h"
 #include "document/maps/map_names.h"
+#include "document/moments/animated_fractal.h"
 #include "ifs/system/decomposition.h"
+#include "panels/maps/calculated_maps.h"
 #include "panels/maps/maps_texts.h"
 #include "widgets/numbers/number_field.h"
 #include "widgets/numbers/number_text.h"
@@ -42,28 +44,7 @@ template <int Dim> bool contracts(const ifs::AffineMap<Dim>& map) {
     return ifs::spectralNorm<Dim>(map.linear) < 1;
 }
 
-// The map that displays the code; nullopt if no code would show the same: while the placement is flat or
-// bends.
-template <int Dim> std::optional<ifs::AffineMap<Dim>> displayOf(const document::Shape<Dim>& shape) {
-    if (!shape.cage || shape.cage->rest == shape.cage->current) return ifs::AffineMap<Dim>{};
-    if (ifs::bends(*shape.cage)) return std::nullopt;
-    const ifs::AffineMap<Dim> display = ifs::displayMap(*shape.cage);
-    return ifs::conjugate(display, ifs::IteratedFunctionSystem<Dim>{}) ? std::optional(display)
-                                                                       : std::nullopt;
-}
-
-template <int Dim>
-std::optional<ifs::AffineMap<Dim>> effectiveMap(const ifs::AffineMap<Dim>& display,
-                                                const ifs::AffineMap<Dim>& map) {
-    return display == ifs::AffineMap<Dim>{} ? map : ifs::conjugate(display, map);
-}
-
 constexpr int rowsLookedAt = 1000;
-
-int decimalsOf(const QString& number) {
-    const auto point = number.indexOf(u'.');
-    return point < 0 || number.contains(u'e') ? 0 : static_cast<int>(number.size() - point - 1);
-}
 
 } // namespace
 
@@ -86,7 +67,7 @@ MapsModel::MapsModel(document::Document* document, QObject* parent)
 void MapsModel::follow(const document::Change& change) {
     using document::Change;
     if (!(change.parts & (Change::System | Change::Cage | Change::Appearance | Change::Entries |
-                          Change::Current | Change::File | Change::Name)))
+                          Change::Current | Change::File | Change::Name | Change::Animation)))
         return;
     const bool sameCode = isCodeShown(m_document->fractal()); // true while the cage is dragged
     const bool sameRows = sameCode || areRowsShown(m_document->fractal());
@@ -130,6 +111,7 @@ void MapsModel::reload(bool sameCode) {
         }
         std::get<Shown<Dim>>(m_shown).display = displayOf(shape);
     };
+    m_isMoving = document::animationFacts(m_document->entryFractal()).has_value();
     const document::Fractal& fractal = m_document->fractal();
     if (const auto* plane = document::plane(fractal)) {
         show(*plane);
@@ -219,6 +201,12 @@ QString MapsModel::columnTip(int column) const {
     }
 }
 
+// A moving entry has the same decimals at every moment, so that the numbers stand still.
+QString MapsModel::textOf(double value, int column) const {
+    const int limit = maxDecimalsOf(column);
+    return m_isMoving ? steadyNumber(value, limit) : roundedNumber(value, limit);
+}
+
 // The most decimals in a column, of as many rows as a header looks at for its widths: views ask for visible
 // cells, and a hundred thousand numbers are not written out.
 int MapsModel::decimals(int column) const {
@@ -226,12 +214,12 @@ int MapsModel::decimals(int column) const {
     if (most) return *most;
     most = 0;
     const int limit = maxDecimalsOf(column);
+    if (m_isMoving) return *(most = isNumber(column) ? limit : 0);
     std::optional<double> previous;
     for (int row = 0; isNumber(column) && row < std::min(rowCount(), rowsLookedAt); ++row) {
         const std::optional<double> value = number(row, column);
         const bool hasMore = *most < limit || (value && std::abs(*value) < std::pow(10, 2 - *most));
-        if (value && hasMore && value != previous)
-            most = std::max(*most, decimalsOf(roundedNumber(*value, limit)));
+        if (value && hasMore && value != previous) most = std::max(*most, decimalsOf(textOf(*value, column)));
         previous = value;
     }
     return *most;
@@ -280,7 +268,7 @@ std::optional<double> MapsModel::number(int row, int column) const {
         const ifs::WeightedMap<Dim>& map = shown.maps[at];
         switch (kind) {
         case A:
-            return ifs::coefficient(map.map, which);
+            return ifs::coefficient(m_isMoving ? withoutResidue<Dim>(map.map) : map.map, which);
         case EffectiveA:
             if (const auto effective = shown.display ? effectiveMap(*shown.display, map.map) : std::nullopt)
                 return ifs::coefficient(*effective, which);
@@ -414,7 +402,7 @@ QVariant MapsModel::data(const QModelIndex& index, int role) const {
                                           : tr("%1, not contracting").arg(kindText(kindOf(row)));
         if (isNumber(column)) {
             const auto value = number(row, column);
-            return value ? roundedNumber(*value, maxDecimalsOf(column)) : QStringLiteral("–");
+            return value ? textOf(*value, column) : QStringLiteral("–");
         }
         return {};
     case Qt::EditRole:

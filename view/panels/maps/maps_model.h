@@ -132,6 +132,7 @@ private:
     QString editText(int row, int column, double value) const;
     QVariant alignment(int column) const;
     int maxDecimalsOf(int column) const { return column <= columnOf(Weight) ? m_maxDecimals : maxDecimals; }
+    QString textOf(double value, int column) const;
     int decimals(int column) const;
     void change(document::Fractal& fractal, const QModelIndex& index, double value,
                 const QString& text = {}) const;
@@ -140,6 +141,7 @@ private:
     document::LiveEdit m_edit;
     std::variant<Shown<2>, Shown<3>> m_shown;
     std::vector<double> m_probabilities;
+    bool m_isMoving = false; // the entry has an animation
     int m_maxDecimals = maxDecimals;
     ifs::MapId m_solo = ifs::MapId::None;
     mutable std::vector<std::optional<int>> m_decimals; // one for each column; computed on demand

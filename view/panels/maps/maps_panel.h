@@ -99,7 +99,7 @@ private:
     void selectRows(document::Rows rows); // makes the first row the current one
 
     document::Document* m_document;
-    BackgroundEdit* m_weighing;          // weights by dimension, which may take long
+    BackgroundEdit* m_weighing; // weights by dimension, which may take long
     MapsModel* m_model;
     MapsClipboard* m_clipboard;
     SoloMap* m_solo;

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "panels/maps/maps_texts.h"
 
+#include "widgets/numbers/number_text.h"
+
 #include <QCoreApplication>
+
+#include <cmath>
 
 namespace view {
 
@@ -15,6 +19,17 @@ struct OfPanel {
 };
 
 } // namespace
+
+int decimalsOf(const QString& number) {
+    const auto point = number.indexOf(u'.');
+    return point < 0 || number.contains(u'e') ? 0 : static_cast<int>(number.size() - point - 1);
+}
+
+QString steadyNumber(double value, int decimals) {
+    const double one = std::pow(10, decimals);
+    const double rounded = std::abs(value) < 1e6 ? std::round(value * one) / one : value;
+    return roundedNumber(rounded != 0 ? rounded : value, decimals);
+}
 
 QString kindText(ifs::MapKind kind) {
     switch (kind) {

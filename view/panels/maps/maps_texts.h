@@ -11,6 +11,9 @@
 // Texts of the table of maps about kinds, coefficients and itself, and the line about one map below it.
 namespace view {
 
+int decimalsOf(const QString& number);
+// A number with no more than these decimals, whatever its size; one that would be 0 then has three digits.
+QString steadyNumber(double value, int decimals);
 QString kindText(ifs::MapKind kind);
 QString kindTip(ifs::MapKind kind, int dimension);
 QString coefficientTip(int dimension);

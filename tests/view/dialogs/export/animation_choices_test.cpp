@@ -13,6 +13,7 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QDesktopServices>
+#include <QFile>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QSlider>
@@ -79,6 +80,7 @@ private slots:
     void proportionsAreKept();
     void thePreviewShowsAFrame();
     void aClusterIsNotMentionedWithoutSlurm();
+    void aClusterIsOfferedWithSlurm();
     void theFolderIsShownAfterwards();
 
 private:
@@ -164,6 +166,17 @@ void AnimationChoicesTest::aClusterIsNotMentionedWithoutSlurm() {
     support::button(*m_dialog, "cluster")->click();
     QVERIFY(tasks->isVisibleTo(m_dialog.get()));
     QVERIFY(m_dialog->message().contains(QLatin1String("On a Cluster")));
+    qputenv("PATH", before);
+}
+
+void AnimationChoicesTest::aClusterIsOfferedWithSlurm() {
+    QFile sbatch(m_folder->filePath(QStringLiteral("sbatch")));
+    QVERIFY(sbatch.open(QIODevice::WriteOnly));
+    sbatch.setPermissions(QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
+    const QByteArray before = qgetenv("PATH");
+    qputenv("PATH", QFile::encodeName(m_folder->path()));
+    open(inTheWind());
+    QVERIFY(number(QStringLiteral("Tasks on a cluster"))->isVisibleTo(m_dialog.get()));
     qputenv("PATH", before);
 }
 

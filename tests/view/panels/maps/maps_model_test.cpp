@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "document/edits/cage/cage_edits.h"
 #include "document/edits/maps/maps_edits.h"
+#include "ifs/system/typed_coefficients.h"
 #include "panels/maps/maps_model.h"
+#include "panels/maps/maps_texts.h"
 #include "support/named_test.h"
 #include "view/panels/maps_support.h"
 #include "widgets/numbers/number_field.h"
+#include "widgets/numbers/number_text.h"
 
 #include <QAbstractItemModelTester>
 #include <QColor>
@@ -197,6 +200,57 @@ private slots:
         QCOMPARE(text(model, 2, MapsModel::EffectiveE), QStringLiteral("–"));
         QVERIFY(!document::bakeObstacle(fractal).isEmpty());
         QVERIFY(!document::baked(fractal));
+    }
+
+    // Where rounding leaves −3.5e−18 of 0, the table says 0; and its points stay where they are.
+    void movingNumbersStandStill() {
+        document::Fractal fractal = withTriangle(maple());
+        auto& animation = document::plane(fractal)->animation.emplace();
+        animation.length = 24;
+        animation::Sway<2> sway; // of two waves that take back each other
+        sway.strength = 9;
+        sway.waves = {{1, 1, 30, 0}, {1, 1, 210, 0}};
+        animation.motions = {sway};
+        m_document->setFile(document::fileOf(fractal));
+        const MapsModel model(m_document.get());
+        int residues = 0;
+        for (int frame = 0; frame < 24; ++frame) {
+            m_document->setMoment(animation::moment(frame));
+            for (int row = 0; row < model.rowCount(); ++row)
+                for (int column = MapsModel::A; column <= MapsModel::F; ++column) {
+                    const double exact = ifs::coefficient(systemOf(*m_document).maps[std::size_t(row)].map,
+                                                          column - MapsModel::A);
+                    if (exact != 0 && std::abs(exact) < 1e-14) ++residues;
+                    const QString shown = text(model, row, column);
+                    QVERIFY2(!shown.contains(u'e') && shown != QLatin1String("-0"), qPrintable(shown));
+                    QCOMPARE(model.index(row, column).data(MapsModel::DecimalsRole).toInt(),
+                             view::maxDecimals);
+                    QVERIFY(view::decimalsOf(shown) <= view::maxDecimals);
+                }
+        }
+        QVERIFY(residues > 0);
+    }
+
+    void steadyNumbers() {
+        QCOMPARE(view::steadyNumber(0.00123, 4), QStringLiteral("0.0012"));
+        QCOMPARE(view::steadyNumber(-0.5, 4), QStringLiteral("-0.5"));
+        QCOMPARE(view::steadyNumber(3e-9, 4), QStringLiteral("3e-09")); // a number, not 0
+        QCOMPARE(view::steadyNumber(0.126, 2), QStringLiteral("0.13"));
+    }
+
+    // A rotated cage leaves the linear part of such maps as it is.
+    void effectiveCodeHasNoResidue() {
+        document::Fractal fractal = withTriangle(maple());
+        for (auto& map : document::plane(fractal)->system.maps)
+            map.map.linear = ifs::Matrix<2>::Identity() / 3;
+        const Eigen::Rotation2Dd turn(0.7);
+        for (auto& vertex : document::plane(fractal)->cage->current)
+            vertex = turn * vertex;
+        m_document->setFile(document::fileOf(fractal));
+        const MapsModel model(m_document.get());
+        for (int row = 0; row < model.rowCount(); ++row)
+            for (const int column : {MapsModel::EffectiveB, MapsModel::EffectiveC})
+                QCOMPARE(text(model, row, column), QStringLiteral("0"));
     }
 
     void isEmptyForOtherEntries() {
