@@ -5,7 +5,7 @@
 /** @param {HTMLElement} figure */
 function enliven(figure) {
   const still = figure.querySelector("img");
-  const script = document.createElement("script");
+  const script = document.createElement("script"), place = document.createElement("div");
   Object.assign(script.dataset, figure.dataset, { title: still?.alt });
   script.src = new URL("figures.js", siteRoot).href;
   script.addEventListener("load", () => {
@@ -14,13 +14,18 @@ function enliven(figure) {
       const body = frame.contentDocument?.body;
       if (!body) return;
       body.querySelector("footer")?.remove(); // which says what it is made with
-      const look = () => body.dataset.state === "live" && figure.classList.add("live");
+      const look = () => {
+        if (body.dataset.state !== "live") return;
+        // Once the frame is as high as it stays: what is read below moves once, and browsers keep it in place.
+        requestAnimationFrame(() => requestAnimationFrame(() => figure.classList.add("live")));
+      };
       new MutationObserver(look).observe(body, { attributeFilter: ["data-state"] });
       look();
     });
   });
   figure.classList.add("soon");
-  figure.append(script);
+  place.append(script);
+  figure.append(place);
 }
 
 /** What is wider than its place can be scrolled by keys. */
