@@ -8,9 +8,9 @@ const pollMilliseconds = 20;
 
 export class Browser {
   /** @param {{width?: number, height?: number, dark?: boolean, touch?: boolean, ratio?: number, locale?: string,
-   *   switches?: string[]}} options */
+   *   switches?: string[], traces?: boolean}} options traces: for requests() */
   static async start(options = {}) {
-    const { width = 1280, height = 900, dark = false, touch = false, ratio = 1, locale = "en", switches = [] } = options;
+    const { width = 1280, height = 900, dark = false, touch = false, ratio = 1, locale = "en", switches = [], traces = false } = options;
     const driver = spawn("chromedriver", ["--port=0"], { stdio: ["ignore", "pipe", "ignore"] });
     const port = await new Promise((found, failed) => {
       driver.once("error", failed);
@@ -25,7 +25,7 @@ export class Browser {
       prefs: { "intl.accept_languages": locale },
       ...(touch ? { mobileEmulation: { deviceMetrics: { width, height, pixelRatio: ratio, touch: true } } } : {}) };
     const made = await browser.call("POST", "/session", { capabilities: { alwaysMatch: { browserName: "chrome",
-      "goog:chromeOptions": chrome, "goog:loggingPrefs": { browser: "ALL" } } } });
+      "goog:chromeOptions": chrome, "goog:loggingPrefs": { browser: "ALL", ...(traces ? { performance: "ALL" } : {}) } } } });
     browser.session = `/session/${made.sessionId}`;
     if (!touch) await browser.send("POST", "/window/rect", { width, height });
     if (dark) await browser.send("POST", "/goog/cdp/execute", { cmd: "Emulation.setEmulatedMedia",
@@ -96,6 +96,13 @@ export class Browser {
   async complaints() {
     const entries = await this.send("POST", "/se/log", { type: "browser" });
     return entries.filter((entry) => entry.level !== "INFO" && entry.level !== "DEBUG").map((entry) => entry.message);
+  }
+
+  /** What has been asked for, by the page and its frames. @returns {Promise<string[]>} addresses */
+  async requests() {
+    const entries = await this.send("POST", "/se/log", { type: "performance" });
+    const events = entries.map((entry) => JSON.parse(entry.message).message);
+    return events.filter(({ method }) => method === "Network.requestWillBeSent").map(({ params }) => params.request.url);
   }
 
   /** A PNG of what is seen. @returns {Promise<Buffer>} */

@@ -36,7 +36,7 @@ const frames = (browser) => browser.value(`[...document.querySelectorAll("iframe
   const { x, y, width, height } = f.getBoundingClientRect(); return { x, y, width, height, title: f.title }; })`);
 
 test("scripts put figures into an article: one engine draws them, and each is dragged alone", async () => {
-  const snippets = guide.match(/^ *<script src="paper.js"[^\n]*<\/script>/gm) ?? [];
+  const snippets = guide.match(/^ *<script src="paper.js" data-entry="\w+"><\/script>/gm) ?? [];
   assert.equal(snippets.length, 2);
   execFileSync(cli, ["page", paper, "--all", "--show", "figure", "--lang", "mk", "-o", join(folder, "paper.js")]);
   execFileSync(cli, ["page", paper, "--entry", "maple", "--caption", "Die Blätter “fallen”", "-o", join(folder, "maple.js")]);
@@ -66,6 +66,40 @@ test("scripts put figures into an article: one engine draws them, and each is dr
   assert.ok(Math.hypot(moved[1][0] - at[1][0] - 40, moved[1][1] - at[1][1] - 20) < 2);
   await enter(browser, 1);
   assert.equal(await pixels(browser), other, "the other figure is as it was");
+  assert.deepEqual(await browser.complaints(), []);
+});
+
+test("a figure of an article has a title and a tool of its own, and the wheel scrolls past it until it is used", async () => {
+  const snippet = guide.match(/^ *<script src="paper.js"[^\n]*data-tool[^\n]*<\/script>/m)?.[0] ?? "";
+  execFileSync(cli, ["page", paper, "--all", "--show", "figure", "-o", join(folder, "paper.js")]);
+  const browser = await article("titles.html", `${snippet}<p style="height: 2000px">Text</p>`);
+  const title = snippet.match(/data-title="([^"]+)"/)?.[1];
+  await enter(browser, 0);
+  assert.ok(title);
+  assert.equal(await browser.value("document.getElementById('name').textContent"), title);
+  assert.equal(await browser.value("barycage.entry.name"), "maple");
+  assert.equal(await browser.value("barycage.figure.holdsMaps"), true);
+  assert.equal(await browser.value("document.getElementById('hold-maps').getAttribute('aria-pressed')"), "true");
+  const scale = "barycage.figure.camera.height", start = await browser.value(scale);
+  await enter(browser, null);
+  const [place] = await frames(browser);
+  assert.equal(place.title, title);
+  const middle = [Math.round(place.x + place.width / 2), Math.round(place.y + 200)];
+  const roll = (deltaY) => browser.send("POST", "/actions", { actions: [{ type: "wheel", id: "wheel",
+    actions: [{ type: "scroll", x: middle[0], y: middle[1], deltaX: 0, deltaY, duration: 0, origin: "viewport" }] }] });
+  await roll(120);
+  await browser.until("scrollY === 120");
+  await roll(-120);
+  await browser.until("scrollY === 0");
+  await enter(browser, 0);
+  assert.equal(await browser.value(scale), start);
+  await enter(browser, null);
+  await browser.drag([[place.x + 20, place.y + 20]]); // a click on the figure, beside what it shows
+  await roll(120);
+  await enter(browser, 0);
+  await browser.until(`${scale} > ${start}`);
+  await enter(browser, null);
+  assert.equal(await browser.value("scrollY"), 0);
   assert.deepEqual(await browser.complaints(), []);
 });
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # Everything about web pages that needs node or a browser: the types of their modules, the list of hashes with the
-# engine of the browser, and pages in Chromium. ./dev test --web calls it.
+# engine of the browser, and pages and the site of the documentation in Chromium. ./dev test --web calls it.
 #   run.sh BARYCAGE_CLI FOLDER   (which keeps what npm brings)
 set -euo pipefail
 here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")

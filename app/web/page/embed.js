@@ -6,7 +6,7 @@
 export function embed({ title, page, engine, worker }) {
   const script = document.currentScript;
   if (!script) return; // it is a module, and stands nowhere
-  const { entry } = script.dataset;
+  const { entry, title: name, tool } = script.dataset;
   /** @type {Map<string, Worker>} */
   const workers = Reflect.get(window, "barycageWorkers") ?? new Map(); // that of each version of the program
   Reflect.set(window, "barycageWorkers", workers);
@@ -15,7 +15,7 @@ export function embed({ title, page, engine, worker }) {
   workers.set(engine + worker, shared);
   const frame = document.createElement("iframe");
   /** @type {Article} */
-  const article = { entry,
+  const article = { entry, title: name, holdsMaps: tool === "maps",
     worker() {
       const { port1, port2 } = new MessageChannel();
       shared.postMessage(null, [port2]);
@@ -25,7 +25,7 @@ export function embed({ title, page, engine, worker }) {
       frame.style.height = `${height}px`;
     },
   };
-  frame.title = entry ?? title;
+  frame.title = name ?? entry ?? title;
   frame.allow = "clipboard-write";
   frame.style.cssText = "display: block; width: 100%; height: 600px; border: 0";
   frame.srcdoc = page;

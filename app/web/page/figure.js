@@ -75,6 +75,8 @@ export class Figure {
     for (const kind of /** @type {const} */ (["pointerup", "pointercancel"]))
       stage.addEventListener(kind, (e) => this.released(e, kind === "pointercancel"));
     stage.addEventListener("wheel", (e) => {
+      const isUsed = document.hasFocus() && stage.contains(document.activeElement);
+      if (document.body.dataset.place === "article" && !isUsed && !e.ctrlKey) return; // the article scrolls
       e.preventDefault();
       this.zoom(this.place(e), Math.exp(-e.deltaY / (e.deltaMode === 1 ? 20 : 400)));
     }, { passive: false });

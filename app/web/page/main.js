@@ -260,9 +260,11 @@ function openLesson(entries, steps, figure, showEntry) {
 function settleIn(article) {
   document.body.dataset.place = "article";
   new ResizeObserver(() => article.resized(Math.ceil(document.body.getBoundingClientRect().height))).observe(document.body);
-  if (!content.entries || content.steps) return;
-  byId("still").remove(); // of another entry
-  takeEntry(entry);
+  if (content.entries && !content.steps) {
+    byId("still").remove(); // of another entry
+    takeEntry(entry);
+  }
+  if (article.title) byId("name").textContent = article.title;
 }
 
 function ownWorker() {
@@ -297,6 +299,10 @@ async function start() {
   if (content.steps && entries && !linked) openLesson(entries, content.steps, figure, showEntry);
   else if (entries && !content.steps) openGallery(entries, drawing, showEntry, linked !== null);
   if (!entries || linked) await showEntry();
+  if (article?.holdsMaps && isDragged) {
+    figure.setHoldsMaps(true);
+    speakOfEntry(figure);
+  }
 }
 
 start().catch(failed);

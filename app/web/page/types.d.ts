@@ -60,9 +60,11 @@ interface Content {
 
 /** What a script for articles holds: the page of its figures, and what draws them. */
 type Figures = { title: string; page: string; engine: string; worker: string };
-/** What a figure in an article knows of it: the entry that it is to show, if there are several. */
+/** What a figure in an article knows of it: the entry that it is to show, if there are several, and how. */
 interface Article {
   entry?: string;
+  title?: string; // in place of the name of the entry
+  holdsMaps: boolean; // its maps can be dragged first, not its cage
   worker(): MessagePort;
   resized(height: number): void;
 }
