@@ -190,8 +190,9 @@ test("the table shows the moment, stops time where it is touched, and changes th
   const picture = await pixels(browser);
   await browser.value(`(() => { const c = ${cell(3)}; c.select(); })()`);
   await browser.keys("0", ".", "2");
-  await browser.until("barycage.figure.shown.rows[0][4] > 0.1999999 && barycage.figure.shown.rows[0][4] < 0.2000001");
+  await browser.until(`barycage.drawing.waiting.length === 0 && barycage.entry.maps[0][4] !== ${rest[4]}`);
   await rested(browser);
+  assert.ok(Math.abs((await browser.value("barycage.figure.shown.rows[0][4]")) - 0.2) < 1e-9, "what is drawn is what was typed");
   assert.notEqual(await pixels(browser), picture);
   assert.equal(await frame(browser), moment);
   const typed = await browser.value("barycage.entry.maps[0]");
