@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "web/engine.h"
 
+#include "web/engine_rows.h"
 #include "web/engine_state.h"
 
 #include "ifs/links/linked_existence.h"
@@ -17,19 +18,6 @@
 namespace web {
 
 namespace {
-
-template <int Dim> ifs::Vector<Dim> vectorAt(const double* numbers) {
-    return Eigen::Map<const ifs::Vector<Dim>>(numbers);
-}
-
-template <int Dim> ifs::AffineMap<Dim> mapAt(const double* numbers) {
-    ifs::AffineMap<Dim> map;
-    for (int row = 0; row < Dim; ++row)
-        for (int column = 0; column < Dim; ++column)
-            map.linear(row, column) = *numbers++;
-    map.translation = vectorAt<Dim>(numbers);
-    return map;
-}
 
 attractor::Rgba colourAt(const double* numbers) {
     const auto channel = [&](int i) { return std::uint8_t(std::clamp(numbers[i], 0.0, 255.0)); };
@@ -91,9 +79,8 @@ bool setSymmetry(Loaded<Dim>& loaded, int group, int order, double angle, const 
 }
 
 template <int Dim> void readRows(Loaded<Dim>& loaded, const double* rows, int maps) {
-    constexpr int length = Dim * Dim + Dim + 1;
-    for (int i = 0; i < maps; ++i, rows += length) {
-        const double weight = rows[length - 1];
+    for (int i = 0; i < maps; ++i, rows += rowLength<Dim>) {
+        const double weight = rows[rowLength<Dim> - 1];
         ifs::append(loaded.system, mapAt<Dim>(rows),
                     std::isnan(weight) ? std::nullopt : std::optional(weight));
     }
@@ -116,7 +103,8 @@ int barycage_load(web::Engine* engine, int dimension, const double* rows, int ma
     engine->dimension = dimension;
     engine->plane = {};
     engine->space = {};
-    engine->clip.reset();
+    engine->inSpace.clip.reset();
+    engine->moment.reset();
     engine->exposure.reset();
     engine->with([&](auto& loaded) { web::readRows(loaded, rows, maps); });
     return 1;
@@ -217,7 +205,7 @@ void barycage_light(web::Engine* engine, int look, int colour, const double* n) 
 
 void barycage_clip(web::Engine* engine, const double* clip) {
     const attractor::SpaceClip given{web::vectorAt<3>(clip), clip[3], clip[4]};
-    engine->clip = attractor::isUsable(given) ? std::optional(given) : std::nullopt;
+    engine->inSpace.clip = attractor::isUsable(given) ? std::optional(given) : std::nullopt;
 }
 
 double barycage_draw(web::Engine* engine, double samples, int begin, int keepExposure) {

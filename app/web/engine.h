@@ -16,8 +16,8 @@ namespace web {
 struct Engine;
 }
 
-// Raised by 1 whenever a function of this header changes its meaning.
-constexpr int webInterface = 1;
+// Raised by 1 whenever a function of this header changes its meaning, or is new.
+constexpr int webInterface = 2;
 // "barycage web engine: interface I, pixels P, hashes H": what a built engine is made from.
 BARYCAGE_WEB const char* barycage_versions();
 
@@ -45,9 +45,29 @@ BARYCAGE_WEB int barycage_extent(web::Engine* engine, double* box, double* simpl
 BARYCAGE_WEB int barycage_cage(web::Engine* engine, const double* rest, const double* current, int count,
                                int bends);
 
+// The animation of the loaded entry, from its comment lines, one below the other. `ownsCage`: the cage that
+// was set last is stored in the entry. Facts: frames and seconds of its rate, length, last frame,
+// animation::Loop; whether keys move the cage, the camera and the look, and whether the picture turns; then
+// whether keys move each map: 9 + maps numbers. 0 where no animation is understood: then the entry is still.
+BARYCAGE_WEB int barycage_animation(web::Engine* engine, const char* lines, int ownsCage, double* facts);
+// The frame that is shown from now on; below 0: the entry at rest. `followsCamera`: where keys set the
+// camera, it is theirs, and not that of barycage_camera().
+BARYCAGE_WEB void barycage_moment(web::Engine* engine, int frame, int followsCamera);
+// What is shown: rows of maps as for barycage_load(), and vertices of the cage. The camera of the keys in the
+// plane: centre, height, 1 where y points down, and rotation in radians; that of the picture in space:
+// target, directions to the right, up and to the eye, height, and field of view as for barycage_camera(). 0
+// where there is no such camera.
+BARYCAGE_WEB int barycage_shown(web::Engine* engine, double* rows, double* vertices, double* camera);
+// The extent of the system that is shown, roughly, as the box of barycage_extent(). 0 without an attractor.
+BARYCAGE_WEB int barycage_reach(web::Engine* engine, double* box);
+// Changes the row of a map, as it is shown, into that at rest: what no key moves, without the motions.
+BARYCAGE_WEB void barycage_still(web::Engine* engine, int map, double* row);
+
 // The view: the centre and pixels per unit; in space the target, azimuth and elevation in degrees, the height
 // of the picture in world units, and the field of view in degrees, 0 for parallel rays.
 BARYCAGE_WEB void barycage_camera(web::Engine* engine, int width, int height, const double* view);
+// The same camera in the plane turned by radians, and with y down or up.
+BARYCAGE_WEB void barycage_turn(web::Engine* engine, double rotation, int isDown);
 
 // colourBy (attractor::ColourBy), brightness, gamma, contrast, vibrancy, supersample, then the plain colour
 // and the background as red, green, blue, alpha up to 255.

@@ -11,12 +11,13 @@ namespace web {
 
 double Engine::drawPlane(double samples, bool begin) {
     if (begin || !density) {
+        Shown<2> now = shown(plane);
         attractor::RenderRequest request;
-        request.system = plane.system;
-        request.cage = plane.cage;
-        request.moved = plane.moved;
-        request.appearance = appearance;
-        request.camera = camera;
+        request.camera = cameraOf(now);
+        request.system = std::move(now.system);
+        request.cage = std::move(now.cage);
+        request.moved = std::move(now.moved);
+        request.appearance = std::move(now.appearance);
         request.samples = std::uint64_t(samples);
         request.exposure = exposure;
         if (density)
@@ -43,23 +44,25 @@ double Engine::drawCloud(attractor::SpaceRequest request, bool begin) {
     return double(cloud->samples());
 }
 
-void Engine::drawSolid(attractor::SpaceRequest request) {
+void Engine::drawSolid(attractor::SpaceRequest request, const Shown<3>& now) {
     using attractor::LookInSpace;
     constexpr attractor::Look looks[] = {attractor::Look::Stone, attractor::Look::Ink,
                                          attractor::Look::Stone, attractor::Look::Stone,
                                          attractor::Look::Depth, attractor::Look::Normals};
-    attractor::SolidAppearance shown = attractor::appearanceOf(looks[std::size_t(inSpace.look)]);
+    attractor::SolidAppearance shown = attractor::appearanceOf(looks[std::size_t(now.inSpace.look)]);
     if (shown.look != attractor::Look::Depth && shown.look != attractor::Look::Normals) {
         const attractor::Appearance standard;
-        if (shown.look == attractor::Look::Stone || !(appearance.background == standard.background))
-            shown.background = appearance.background;
-        if (!(appearance.plain == standard.plain)) shown.plain = appearance.plain;
-        shown.keyLight = attractor::lampAt(inSpace.lightAzimuth, inSpace.lightElevation);
-        shown.fog = inSpace.fog;
-        shown.palette = appearance.palette;
-        shown.colourBy = inSpace.colourBy.value_or(attractor::SolidColour::Plain);
+        if (shown.look == attractor::Look::Stone || !(now.appearance.background == standard.background))
+            shown.background = now.appearance.background;
+        if (!(now.appearance.plain == standard.plain)) shown.plain = now.appearance.plain;
+        shown.keyLight = attractor::lampAt(now.inSpace.lightAzimuth, now.inSpace.lightElevation);
+        shown.fog = now.inSpace.fog;
+        shown.palette = now.appearance.palette;
+        shown.colourBy = now.inSpace.colourBy.value_or(now.appearance.colourBy == attractor::ColourBy::Map
+                                                           ? attractor::SolidColour::Map
+                                                           : attractor::SolidColour::Plain);
         for (std::size_t i = 0; i < space.system.maps.size(); ++i)
-            shown.mapColours.push_back(attractor::mapColour(appearance, space.system.maps[i].id, i));
+            shown.mapColours.push_back(attractor::mapColour(now.appearance, space.system.maps[i].id, i));
     }
     if (shown.colourBy == attractor::SolidColour::Address) request.key = attractor::SolidKey::Address;
     const attractor::OrbitCamera seen = request.camera;
@@ -74,18 +77,20 @@ void Engine::drawSolid(attractor::SpaceRequest request) {
 }
 
 double Engine::drawSpace(double samples, bool begin) {
+    const Shown<3> now = shown(space);
     attractor::SpaceRequest request;
-    request.system = space.system;
-    request.cage = space.cage;
-    request.moved = space.moved;
-    request.camera = orbit;
-    request.clip = clip;
-    request.appearance = appearance;
+    request.system = now.system;
+    request.cage = now.cage;
+    request.moved = now.moved;
+    request.camera = cameraOf(now);
+    request.clip = now.inSpace.clip;
+    request.appearance = now.appearance;
     request.samples = std::uint64_t(samples);
-    if (inSpace.look == attractor::LookInSpace::XRay) request.cloudColour = attractor::CloudColour::MeanDepth;
+    if (now.inSpace.look == attractor::LookInSpace::XRay)
+        request.cloudColour = attractor::CloudColour::MeanDepth;
     pixels.assign(std::size_t(orbit.size.width) * std::size_t(orbit.size.height), 0);
-    if (attractor::showsCloud(inSpace.look)) return drawCloud(std::move(request), begin);
-    drawSolid(std::move(request));
+    if (attractor::showsCloud(now.inSpace.look)) return drawCloud(std::move(request), begin);
+    drawSolid(std::move(request), now);
     return 0;
 }
 

@@ -6,6 +6,7 @@ import html.parser
 import json
 import re
 import shutil
+import string
 import subprocess
 import urllib.request
 
@@ -44,7 +45,9 @@ def test_the_page_holds_the_entry(maple):
     assert json.loads(parts["content"])["text"] == str(maple)
     assert bc.parse(json.loads(parts["content"])["text"])[0] == maple
     assert set(json.loads(parts["texts"])) == {"en", "de", "es", "fr", "mk"}
-    assert b"\x1f\x8b" == base64.b64decode(parts["engine"])[:2]
+    digits = string.digits + string.ascii_uppercase + string.ascii_lowercase + "!#$%()*+,-./:;=?@[]^_|~"
+    first = sum(digits.index(digit) * 85 ** (4 - i) for i, digit in enumerate(parts["engine"][:5]))
+    assert b"\x1f\x8b" == first.to_bytes(4, "big")[:2]
     assert "{{" not in re.sub(r"<script.*?</script>", "", text, flags=re.DOTALL)
     assert len(maple._repr_html_()) < 500_000
 

@@ -45,7 +45,7 @@ QByteArray unpacked(const QByteArray& packed) {
 
 void EngineTest::theBuiltEnginesAreOfThisProgram_data() {
     QTest::addColumn<QString>("file");
-    for (const char* name : {"engine", "engine_plane"})
+    for (const char* name : {"engine", "engine_plane", "engine_moving", "engine_plane_moving"})
         QTest::newRow(name) << QStringLiteral("app/web/built/%1.wasm.gz").arg(QLatin1String(name));
 }
 

@@ -5,7 +5,7 @@ import { execFileSync } from "node:child_process";
 import { mkdtempSync, readFileSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { after } from "node:test";
+import { afterEach } from "node:test";
 import { Browser } from "./browser.mjs";
 
 export const cli = process.env.BARYCAGE_CLI;
@@ -30,7 +30,7 @@ export function collection(text) {
 }
 /** @type {Browser[]} */
 export const open = [];
-after(() => Promise.all(open.map((browser) => browser.end())));
+afterEach(() => Promise.all(open.splice(0).map((browser) => browser.end()))); // what plays takes time from the next
 export async function shown(path, options = {}) {
   const browser = await Browser.start(options);
   open.push(browser);

@@ -28,7 +28,7 @@ def _script(modules: tuple[str, ...]) -> str:
 
 @functools.lru_cache(maxsize=None)
 def _engine(name: str) -> str:
-    return base64.b64encode(_part(name)).decode()
+    return _core.in_base85(_part(name))
 
 
 def _hash(text: str) -> str:
@@ -40,6 +40,7 @@ def page(text: str, name: str, dimension: int, still: bytes) -> str:
     texts = json.loads(_part("texts.json"))
     script = _script(tuple(_core.page_modules()))
     style = _core.filled(_core.plain_style(_part("page.css").decode()), {"background": "transparent"})
+    moves = "; barycage: animation " in text
     content = {"text": text, "show": "figure", "allow": ["cage", "maps", "code"], "language": "", "points": 20_000_000}
     return _core.filled(_part("page.html").decode(), {
         "language": "en",
@@ -52,7 +53,7 @@ def page(text: str, name: str, dimension: int, still: bytes) -> str:
         "style-hash": _hash(style),
         "still": "data:image/png;base64," + base64.b64encode(still).decode(),
         "content": _core.embedded(json.dumps(content)),
-        "engine": _engine("engine.wasm.gz" if dimension == 3 else "engine_plane.wasm.gz"),
+        "engine": _engine(f"engine{'' if dimension == 3 else '_plane'}{'_moving' if moves else ''}.wasm.gz"),
         "worker": _script(tuple(_core.worker_modules())),
         "script": script,
         "script-hash": _hash(script),

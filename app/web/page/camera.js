@@ -15,6 +15,8 @@ export class Camera {
     this.azimuth = azimuth;
     this.elevation = elevation;
     this.field = field;
+    this.turn = [0, 0]; // in the plane: radians, and whether y points down
+    this.frame = /** @type {ReturnType<Camera["axes"]> | null} */ (null); // in space: that of keys and motions
   }
 
   get isSpace() {
@@ -40,9 +42,24 @@ export class Camera {
     return this.with({ target, height: height > 0 && height < Infinity ? height : this.height });
   }
 
-  /** To the right, up, and away from the eye. @returns {Record<"right" | "up" | "away", Point>} */
+  /** The one that keys and motions set. @param {number[]} numbers as barycage_shown() has them @param {Size} size @returns {Camera} */
+  moved(numbers, { width, height }) {
+    if (!this.isSpace) {
+      const [x, y, all, isDown, rotation] = numbers;
+      return this.with({ target: [x, y], height: all * Math.min(1, width / height), turn: [rotation, isDown] });
+    }
+    const [target, right, up, eye] = [0, 3, 6, 9].map((at) => numbers.slice(at, at + 3)), away = times(eye, -1);
+    return this.with({ target, frame: { right, up, away }, height: numbers[12] / Math.max(1, height / width), field: numbers[13],
+      azimuth: (Math.atan2(eye[0], eye[2]) * 180) / Math.PI, elevation: (Math.asin(Math.max(-1, Math.min(1, eye[1]))) * 180) / Math.PI });
+  }
+
+  /** To the right, up, and away from the eye. @returns {{right: Point, up: Point, away: Point}} */
   axes() {
-    if (!this.isSpace) return { right: [1, 0], up: [0, 1], away: [0, 0] };
+    if (this.frame) return this.frame;
+    if (!this.isSpace) {
+      const [angle, isDown] = this.turn, c = Math.cos(angle), s = Math.sin(angle), sign = isDown ? -1 : 1;
+      return { right: [c, -sign * s], up: [s, sign * c], away: [0, 0] };
+    }
     const a = (this.azimuth * Math.PI) / 180, e = (this.elevation * Math.PI) / 180;
     return { right: [Math.cos(a), 0, -Math.sin(a)],
       up: [-Math.sin(a) * Math.sin(e), Math.cos(e), -Math.cos(a) * Math.sin(e)],
@@ -90,12 +107,12 @@ export class Camera {
 
   /** As a hand turns what it sees. @param {Point} degrees to the right and down */
   turned([x, y]) {
-    return this.with({ azimuth: (this.azimuth - x) % 360, elevation: Math.min(90, Math.max(-90, this.elevation + y)) });
+    return this.with({ frame: null, azimuth: (this.azimuth - x) % 360, elevation: Math.min(90, Math.max(-90, this.elevation + y)) });
   }
 
   /** As barycage_camera() has it. @param {Size} size */
   numbers(size) {
-    if (!this.isSpace) return [...this.target, this.scale(size)];
+    if (!this.isSpace) return [...this.target, this.scale(size), ...this.turn];
     return [...this.target, this.azimuth, this.elevation, this.height * Math.max(1, size.height / size.width), this.field];
   }
 }

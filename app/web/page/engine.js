@@ -4,10 +4,22 @@
 const standardPlain = [235, 235, 235, 255];
 const standardBackground = [13, 16, 23, 255];
 
+/** The bytes of a text, as notation::inBase85() writes them. @param {string} text */
+export function bytesOf(text) {
+  const digits = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz!#$%()*+,-./:;=?@[]^_|~";
+  const values = new Uint8Array(128), bytes = new Uint8Array(4 * Math.ceil(text.length / 5)), view = new DataView(bytes.buffer);
+  for (let i = 0; i < 85; ++i) values[digits.charCodeAt(i)] = i;
+  for (let at = 0; at < text.length; at += 5) {
+    let number = 0;
+    for (let i = at; i < at + 5; ++i) number = 85 * number + (i < text.length ? values[text.charCodeAt(i)] : 84);
+    view.setUint32((4 * at) / 5, number);
+  }
+  return bytes.slice(0, Math.floor((4 * text.length) / 5));
+}
+
 /** Starts an engine from its WebAssembly. @param {BufferSource} bytes */
 export async function startedEngine(bytes) {
-  /** @type {Record<string, any>} */
-  let running = {};
+  let running = /** @type {Record<string, any>} */ ({});
   // The C library asks for little: a clock. There are no environment and no files.
   const system = {
     /** @param {number} _id @param {bigint} _precision @param {number} time */
@@ -37,8 +49,10 @@ export class Engine {
     this.calls = exports;
     this.self = exports.barycage_new();
     this.size = { width: 0, height: 0 };
-    /** @type {Appearance} */
-    this.appearance = {};
+    this.appearance = /** @type {Appearance} */ ({});
+    this.motion = /** @type {Motion | null} */ (null); // of the entry that was loaded
+    this.dimension = 2;
+    this.maps = this.corners = 0;
     this.room = 0;
     this.buffer = 0;
   }
@@ -58,6 +72,7 @@ export class Engine {
     const d = entry.dimension, length = d * (d + 1) + 1;
     const rows = entry.maps.flatMap((map) => Array.from({ length }, (_, i) => map[i] ?? NaN));
     this.calls.barycage_load(this.self, d, this.numbers(rows), entry.maps.length);
+    Object.assign(this, { dimension: d, maps: entry.maps.length, corners: 0 });
     if (entry.links) this.calls.barycage_links(this.self, this.numbers(entry.links.flat()));
     if (entry.symmetry) {
       const { group, order, angle, centre, frame } = entry.symmetry;
@@ -78,12 +93,66 @@ export class Engine {
       const [x, y, z, lowest, highest] = clip;
       this.calls.barycage_clip(this.self, this.numbers([x, y, z, lowest ?? -Infinity, highest ?? Infinity]));
     }
+    const extent = this.extent();
+    const { rest, current, bends } = entry.cage ?? { rest: extent?.simplex ?? [], current: extent?.simplex ?? [], bends: true };
+    this.setCage(rest, current, bends);
+    this.motion = this.readMotion(entry);
+    return extent;
+  }
+
+  /** @returns {Extent | null} */
+  extent() {
     if (!this.calls.barycage_settle(this.self)) return null;
-    const boxLength = 2 * d + 1, corners = d * (d + 1);
+    const d = this.dimension, boxLength = 2 * d + 1, corners = d * (d + 1);
     const box = this.numbers(Array(boxLength + corners).fill(0));
     this.calls.barycage_extent(this.self, box, box + 8 * boxLength);
     const all = this.read(box, boxLength + corners);
     return { box: all.slice(0, boxLength), simplex: points(all.slice(boxLength), d) };
+  }
+
+  /** What the lines of the entry say of its animation. @param {Entry} entry @returns {Motion | null} */
+  readMotion({ text, cage }) {
+    const lines = text?.lines.join("\n") ?? "";
+    if (!lines.includes("barycage: animation")) return null;
+    const bytes = new TextEncoder().encode(`${lines}\0`), at = this.calls.malloc(bytes.length);
+    new Uint8Array(this.calls.memory.buffer, at).set(bytes);
+    const to = this.numbers(Array(9 + this.maps).fill(0));
+    const isKnown = this.calls.barycage_animation(this.self, at, cage ? 1 : 0, to);
+    this.calls.free(at);
+    if (!isKnown) return null;
+    const [frames, seconds, length, last, loop, ...flags] = this.read(to, 9 + this.maps);
+    const [movesCage, movesCamera, movesLook, turns, ...movesMap] = flags.map(Boolean);
+    return { rate: frames / seconds, length, frames: loop === 0 ? last + 1 : last, isEndless: loop !== 0,
+      movesCage, movesCamera, movesLook, turns, movesMap };
+  }
+
+  /** The frame that is drawn from now on, below 0 the entry at rest. @param {number} frame @param {boolean} follows the keys of
+   *   the camera set it */
+  show(frame, follows) {
+    this.calls.barycage_moment(this.self, frame, follows ? 1 : 0);
+  }
+
+  /** @returns {Shown} */
+  shown() {
+    const d = this.dimension, length = d * (d + 1) + 1, rows = this.maps * length, corners = this.corners * d, camera = 14;
+    const at = this.numbers(Array(rows + corners + camera).fill(0));
+    const isSet = this.calls.barycage_shown(this.self, at, at + 8 * rows, at + 8 * (rows + corners));
+    const all = this.read(at, rows + corners + camera);
+    return { rows: points(all.slice(0, rows), length).map((row) => row.map((x) => (Number.isNaN(x) ? null : x))),
+      corners: points(all.slice(rows, rows + corners), d), camera: isSet ? all.slice(-camera) : null };
+  }
+
+  /** The box of what is shown. @returns {number[] | null} */
+  reach() {
+    const at = this.numbers(Array(2 * this.dimension + 1).fill(0));
+    return this.calls.barycage_reach(this.self, at) ? this.read(at, 2 * this.dimension) : null;
+  }
+
+  /** The row at rest of a map as it is shown. @param {number} map @param {Row} row @returns {Row} */
+  still(map, row) {
+    const at = this.numbers(row);
+    this.calls.barycage_still(this.self, map, at);
+    return this.read(at, row.length).map((x) => (Number.isNaN(x) ? null : x));
   }
 
   /** @param {Appearance} given */
@@ -104,13 +173,14 @@ export class Engine {
   setCage(rest, current, bends) {
     const flat = [...rest.flat(), ...current.flat()];
     const at = this.numbers(flat);
-    this.calls.barycage_cage(this.self, at, at + 4 * flat.length, rest.length, bends ? 1 : 0);
+    this.corners = this.calls.barycage_cage(this.self, at, at + 4 * flat.length, rest.length, bends ? 1 : 0) ? rest.length : 0;
   }
 
   /** @param {number} width @param {number} height @param {number[]} view as barycage_camera() has it */
   setCamera(width, height, view) {
     this.size = { width, height };
     this.calls.barycage_camera(this.self, width, height, this.numbers(view));
+    if (this.dimension === 2) this.calls.barycage_turn(this.self, view[3] ?? 0, view[4] ? 1 : 0);
   }
 
   /** @param {number} samples @param {boolean} begin @param {boolean} keepExposure
@@ -142,8 +212,7 @@ export class Engine {
     });
   }
 
-  /** Where these numbers stand for the next call.
-   * @param {(number | null)[]} values @returns {number} */
+  /** Where these numbers stand for the next call. @param {(number | null)[]} values @returns {number} */
   numbers(values) {
     const bytes = 8 * values.length + 512; // and a word of a branch
     if (bytes > this.room) {

@@ -47,8 +47,7 @@ class Remarks {
 
   /** Lists of numbers that belong to maps, each of which may be on several lines. @param {string} key */
   byMap(key) {
-    /** @type {Map<number, number[]>} */
-    const lists = new Map();
+    const lists = /** @type {Map<number, number[]>} */ (new Map());
     for (const [map, ...words] of this.all(key))
       lists.set(Number(map) - 1, [...(lists.get(Number(map) - 1) ?? []), ...words.map(numberIn)]);
     return lists;
@@ -92,8 +91,7 @@ function weigh(maps, at, remarks) {
 
 /** @param {Remarks} remarks @param {number} count of maps @param {Palette[]} palettes @returns {Appearance} */
 function appearanceIn(remarks, count, palettes) {
-  /** @type {Appearance} */
-  const appearance = { colourBy: Math.max(0, colourings.indexOf(remarks.last("colour-by")[0])) };
+  const appearance = /** @type {Appearance} */ ({ colourBy: Math.max(0, colourings.indexOf(remarks.last("colour-by")[0])) });
   for (const key of toneKeys) {
     const number = remarks.number(key);
     if (number > 0 || (key === "vibrancy" && number === 0)) appearance[key] = key === "vibrancy" ? Math.min(number, 1) : number;
@@ -158,8 +156,7 @@ function linksIn(remarks, count) {
 /** The branches that are shown elsewhere; null where one of them changes inside itself, which only the program knows.
  * @param {Remarks} remarks @param {number} dimension @param {number} count of maps @returns {Entry["branches"] | null} */
 function branchesIn(remarks, dimension, count) {
-  /** @type {{word: number[], by: string[][]}[]} */
-  const found = [];
+  const found = /** @type {{word: number[], by: string[][]}[]} */ ([]);
   for (const [key, ...words] of remarks.lines) {
     if (key === "branch" && found.at(-1)?.by.length !== 0) found.push({ word: [], by: [] });
     if (key === "branch") found.at(-1)?.word.push(...words.map(Number));
@@ -180,8 +177,7 @@ function cageIn(remarks, dimension) {
   return { rest, current, bends: remarks.last("deformation")[0] !== "affine-fit" };
 }
 
-/** @param {string} text @param {Palette[]} palettes
- * @returns {{entry: Entry} | {flaw: "linkDamaged" | "linkForeign"}} */
+/** @param {string} text @param {Palette[]} palettes @returns {{entry: Entry} | {flaw: "linkDamaged" | "linkForeign"}} */
 export function readEntry(text, palettes) {
   const begin = text.match(/^(?:\s*;[^\n]*\n|\s*\n)*([^{;\n]*)\{/);
   const end = text.lastIndexOf("}");

@@ -7,13 +7,6 @@ import { carried, dragged, edgeAt, image, isInside, middle, minus, plus, times, 
 import { readable } from "./numbers.js";
 import { filled, language, texts } from "./texts.js";
 
-/** What can be dragged, as it is shown: the cage, or a map as its image of the cage.
- * @typedef {{map: number | null, row: Row, points: Point[]}} Held */
-/** What of it moves: indices of points. Where nothing moves, it is the view.
- * @typedef {Held & {moving: number[]}} Grip */
-/** What the pointer has pressed, as it was then.
- * @typedef {Grip & {pixel: Point, camera: Camera}} Press */
-
 const reachOfFinger = 26, reachOfMouse = 14; // pixels
 const margin = 0.09;
 const mostHandled = 60; // maps
@@ -22,34 +15,29 @@ const mapColours = ["#f5ae39", "#37aae3", "#f75f4c", "#59d38c", "#d476cd", "#e0d
   "#71a255", "#e5b28a", "#ae96da"];
 
 export class Figure {
-  /** @param {Entry} entry @param {boolean} isHeld may its cage be dragged
-   * @param {{draw: (findsExposure?: boolean) => void, setLive: (isLive: boolean) => void,
-   *   changeMap: (map: number, row: Row) => Promise<void>}} drawing */
+  /** @param {Entry} entry @param {boolean} isHeld may its cage be dragged @param {{draw: (findsExposure?: boolean) => void,
+   * setLive: (isLive: boolean) => void, changeMap: (map: number, row: Row) => Promise<void>, pause: () => void}} drawing */
   constructor(entry, isHeld, drawing) {
     this.stage = byId("stage");
     this.svg = byId("cage");
-    this.isHeld = isHeld;
+    this.mayHold = isHeld;
+    this.motion = /** @type {Motion | null} */ (null);
+    this.shown = /** @type {Shown | null} */ (null); // of an entry that moves
+    this.follows = false; // the camera of the keys
     this.drawing = drawing;
-    /** @type {Extent | null} */
-    this.extent = null;
-    /** @type {Point[]} */
-    this.rest = [];
-    /** @type {Point[]} */
-    this.current = [];
+    this.extent = /** @type {Extent | null} */ (null);
+    this.rest = /** @type {Point[]} */ ([]);
+    this.current = /** @type {Point[]} */ ([]);
     this.camera = this.home = new Camera([0, 0], 1);
     this.isFitted = true; // the camera shows all
     this.size = { width: 1, height: 1 };
-    /** @type {Press | null} */
-    this.press = null;
-    /** @type {Map<number, Point>} */
-    this.pointers = new Map();
+    this.press = /** @type {Press | null} */ (null);
+    this.pointers = /** @type {Map<number, Point>} */ (new Map());
     this.isKnown = false; // the engine has the entry
     this.holdsMaps = false; // not the cage
     this.chosen = 0; // map, whose corners have handles
-    /** @type {SVGGElement[]} */
-    this.groups = []; // of handles
-    /** @type {Promise<void> | undefined} */
-    this.changed = undefined; // when the picture has a map as it was dragged
+    this.groups = /** @type {SVGGElement[]} */ ([]); // of handles
+    this.changed = /** @type {Promise<void> | undefined} */ (undefined); // when the picture has a map as it was dragged
     this.entry = entry;
     this.take(entry);
     this.listen();
@@ -59,7 +47,7 @@ export class Figure {
   take(entry) {
     this.entry = entry;
     this.isKnown = false;
-    this.extent = null;
+    this.extent = this.motion = this.shown = null;
     this.rest = this.current = this.groups = [];
     const [x, y, z, azimuth, elevation, height, field] = entry.view ?? [0, 0, 0, 30, 20, 2, 0];
     const isSpace = entry.dimension === 3;
@@ -88,11 +76,12 @@ export class Figure {
   }
 
   /** Takes up an extent and a cage: those of the entry, or of one whose maps have been typed.
-   * @param {Extent | null} extent */
-  hold(extent) {
+   * @param {Extent | null} extent @param {Motion | null} motion */
+  hold(extent, motion) {
     const before = { rest: this.rest, current: this.current };
     const { cage } = this.entry;
     this.extent = extent;
+    this.motion = motion;
     this.isKnown = true;
     if (cage && before.rest.length === 0) {
       this.rest = cage.rest;
@@ -106,13 +95,42 @@ export class Figure {
     if (this.groups.length !== this.held().length || !this.holdsMaps) this.makeHandles();
     if (this.camera.isSpace && !this.entry.view && extent && before.rest.length === 0)
       this.home = this.home.fitted([...this.current, extent.box.slice(0, 3), extent.box.slice(3, 6)], { width: 1, height: 1 }, margin);
+    if (this.camera.isSpace && extent?.reach && before.rest.length === 0) { // all of it from every side
+      const far = this.home.target.map((x, i) => Math.max(...(extent.reach ?? []).map(({ box }) => Math.max(x - box[i], box[i + 3] - x))));
+      this.home = this.home.with({ height: Math.max(this.home.height, 2 * Math.hypot(...far)) });
+    }
     if (before.rest.length === 0) this.fit();
     else this.change();
   }
 
   /** Whether maps can be held: where the cage carries them by an affine map. */
   get hasMaps() {
-    return this.rest.length === this.entry.dimension + 1;
+    const { movesCage = false, movesMap = [] } = this.motion ?? {};
+    return this.rest.length === this.entry.dimension + 1 && !movesCage && !movesMap.includes(true);
+  }
+
+  /** Whether the cage can be dragged: what keys move is theirs. */
+  get isHeld() {
+    return this.mayHold && !this.motion?.movesCage;
+  }
+
+  /** The corners as they are shown: a motion may turn them. */
+  get placed() {
+    const isMoved = this.motion?.movesCage || (this.motion?.turns && !this.camera.isSpace);
+    return isMoved && this.shown?.corners.length === this.current.length ? this.shown.corners : this.current;
+  }
+
+  /** Takes up what the newest picture shows of an entry that moves. @param {Shown} shown */
+  takeShown(shown) {
+    this.shown = shown;
+    if (this.follows && shown.camera) this.camera = this.camera.moved(shown.camera, this.size);
+    this.layOut();
+  }
+
+  /** The camera of the newest picture. */
+  get eye() {
+    const turned = this.camera.isSpace && this.motion?.turns ? this.shown?.camera : null;
+    return turned ? this.camera.moved(turned, this.size) : this.camera;
   }
 
   /** @param {boolean} holdsMaps */
@@ -127,9 +145,10 @@ export class Figure {
 
   /** @returns {Held[]} */
   held() {
-    if (!this.holdsMaps) return this.current.length > 0 ? [{ map: null, row: [], points: this.current }] : [];
-    return this.entry.maps.slice(0, mostHandled).map((row, map) =>
-      ({ map, row: [...row], points: carried(this.rest, this.current, this.rest.map((p) => image(row, p))) }));
+    const { placed, current } = this;
+    if (!this.holdsMaps) return current.length > 0 ? [{ map: null, row: [], points: placed, current }] : [];
+    return (this.shown?.rows ?? this.entry.maps).slice(0, mostHandled).map((row, map) =>
+      ({ map, row: [...row], points: carried(this.rest, placed, this.rest.map((p) => image(row, p))), current }));
   }
 
   makeHandles() {
@@ -176,8 +195,8 @@ export class Figure {
   layOut() {
     const text = (/** @type {Point[]} */ points) => points.map((p) => p.map((x) => x.toFixed(2)).join()).join(" ");
     const rest = this.svg.querySelector(".rest");
-    const isMoved = this.rest.some((p, i) => p.some((x, k) => x !== this.current[i][k]));
-    rest?.setAttribute("points", text((this.holdsMaps ? this.current : this.rest).map((p) => this.pixel(p))));
+    const isMoved = this.rest.some((p, i) => p.some((x, k) => x !== this.placed[i][k]));
+    rest?.setAttribute("points", text((this.holdsMaps ? this.placed : this.rest).map((p) => this.pixel(p))));
     rest?.classList.toggle("moved", isMoved || this.holdsMaps);
     this.held().slice(0, this.groups.length).forEach(({ map, points }, n) => {
       const corners = points.map((p) => this.pixel(p)), all = [...corners, this.pixel(middle(points))];
@@ -205,7 +224,7 @@ export class Figure {
 
   /** @param {Point} point @returns {Point} in pixels of the page */
   pixel(point) {
-    return this.camera.toPixel(this.size, point);
+    return this.eye.toPixel(this.size, point);
   }
 
   change(findsExposure = false) {
@@ -223,10 +242,11 @@ export class Figure {
   }
 
   fit() {
-    const { rest, current } = this, [left, bottom, right, top] = this.extent?.box ?? [];
-    const box = this.extent ? [[left, bottom], [right, bottom], [left, top], [right, top]] : [];
-    const cage = this.isHeld || !this.extent ? current : [];
-    const points = [...cage, ...(current.length === 3 ? carried(rest, current, box) : box)];
+    const { rest, current, extent } = this, points = this.isHeld || !extent ? [...current] : [];
+    for (const { box: [left, bottom, right, top], corners } of extent?.reach ?? (extent ? [{ box: extent.box, corners: [] }] : [])) {
+      const box = [[left, bottom], [right, bottom], [left, top], [right, top]], at = corners.length > 0 ? corners : current;
+      points.push(...(this.isHeld ? corners : []), ...(at.length === 3 ? carried(rest, at, box) : box));
+    }
     this.look(this.camera.isSpace || points.length === 0 ? this.home : this.home.fitted(points, this.size, margin), true);
     this.isFitted = true;
   }
@@ -240,7 +260,7 @@ export class Figure {
   /** @param {Camera} camera */
   look(camera, findsExposure = false) {
     this.camera = camera;
-    this.isFitted = false;
+    this.isFitted = this.follows = false;
     this.change(findsExposure);
   }
 
@@ -291,20 +311,25 @@ export class Figure {
     this.press = null;
     if (this.pointers.size > 1) return; // fingers that zoom
     const grip = this.gripUnder(pixel, event.pointerType === "mouse" ? reachOfMouse : reachOfFinger)
-      ?? { map: null, row: [], points: this.current, moving: [] };
+      ?? { map: null, row: [], points: this.current, current: this.current, moving: [] };
     const { map, moving } = this.press = { ...grip, pixel, camera: this.camera };
-    if (map !== null) this.choose(map);
+    if (map !== null) {
+      this.choose(map);
+      this.drawing.pause();
+    }
     if (moving.length === 1) this.groups[map ?? 0].querySelector(`[data-corner="${moving[0]}"]`)?.classList.add("held");
   }
 
   /** Brings what is held to other points. @param {Held} held @param {Point[]} points */
-  put({ map, points: before, row }, points) {
+  put({ map, points: before, row, current }, points) {
     if (map === null) {
-      this.current = points;
+      const d = this.entry.dimension + 1; // what a motion turns is dragged as it is seen
+      this.current = before === current ? points : carried(before.slice(0, d), current.slice(0, d), points);
+      if (this.shown) this.shown.corners = points;
       this.change();
       return;
     }
-    const inCode = carried(this.current, this.rest, [...before, ...points]);
+    const inCode = carried(this.placed, this.rest, [...before, ...points]);
     const offsets = before.map((_, i) => minus(inCode[before.length + i], inCode[i]));
     if (!offsets.flat().every(Number.isFinite)) return; // the cage is flat
     this.entry.cage ??= { rest: this.rest, current: this.current, bends: true }; // it stays where it is
@@ -348,7 +373,7 @@ export class Figure {
   /** Moves what is held in the plane of the screen. @param {Grip} grip @param {Point} pixels */
   shift(grip, pixels) {
     const { points, moving } = grip;
-    const offset = this.camera.offset(this.size, pixels, middle(moving.map((i) => points[i])));
+    const offset = this.eye.offset(this.size, pixels, middle(moving.map((i) => points[i])));
     this.put(grip, points.map((v, i) => (moving.includes(i) ? plus(v, offset) : v)));
   }
 
@@ -400,6 +425,7 @@ export class Figure {
 
   /** @param {number | null} map @param {number} corner that of a handle @param {Point} pixels */
   moveBy(map, corner, pixels) {
+    if (map !== null) this.drawing.pause();
     const held = this.held()[map ?? 0];
     const moving = corner < held.points.length ? [corner] : held.points.map((_, i) => i);
     this.shift({ ...held, moving }, pixels);

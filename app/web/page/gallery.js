@@ -2,6 +2,7 @@
 // The entries of a collection as small pictures, which are drawn as they come into sight, to be found by name.
 
 import { backgroundOf, byId, element, showPixels } from "./dom.js";
+import { wantsMotion } from "./player.js";
 import { filled, texts } from "./texts.js";
 
 /** @import { Drawing } from "./drawing.js" */
@@ -13,6 +14,9 @@ const nearby = "300px"; // what comes into sight soon is drawn, too
 /** Without case and accents. @param {string} text */
 const plain = (text) => text.normalize("NFD").replace(/\p{M}/gu, "").replace(/_/g, " ").toLowerCase();
 
+/** @param {Entry} entry */
+const moves = (entry) => entry.text?.lines.some((line) => line.startsWith("; barycage: animation ")) ?? false;
+
 export class Gallery {
   /** @param {Entry[]} entries @param {string} title @param {string} caption @param {Drawing} drawing
    * @param {(index: number) => void} choose */
@@ -21,8 +25,7 @@ export class Gallery {
     this.drawing = drawing;
     this.scroll = 0;
     this.isDrawing = false;
-    /** @type {Set<Element>} */
-    this.waiting = new Set(); // tiles in sight that have no picture yet
+    this.waiting = /** @type {Set<Element>} */ (new Set()); // tiles in sight that have no picture yet
     this.search = element("input", { type: "search", id: "find", placeholder: texts.find, "aria-label": texts.find,
       autocomplete: "off", spellcheck: "false" });
     this.search.addEventListener("input", () => this.filter());
@@ -46,6 +49,8 @@ export class Gallery {
     canvas.style.background = backgroundOf(entry);
     const button = element("button", { type: "button", class: "tile" }, [canvas, element("span", {}, [entry.name])]);
     button.addEventListener("click", choose);
+    if (moves(entry))
+      button.addEventListener("pointerenter", ({ pointerType }) => pointerType === "mouse" && wantsMotion() && this.play(entry, canvas, button));
     return element("li", {}, [button]);
   }
 
@@ -63,17 +68,42 @@ export class Gallery {
   async draw() {
     if (this.isDrawing) return;
     this.isDrawing = true;
-    const ratio = Math.min(devicePixelRatio, 2);
     while (this.isShown && this.waiting.size > 0) {
       const index = this.tiles.findIndex((tile) => this.waiting.has(tile)), tile = this.tiles[index];
       this.waiting.delete(tile);
       this.watching.unobserve(tile);
-      const { pixels, width = 1, height = 1 } = await this.drawing.ask({ kind: "thumbnail", entry: this.entries[index],
-        width: Math.round(tileWidth * ratio), height: Math.round(tileHeight * ratio), samples: tilePoints });
       const canvas = tile.querySelector("canvas");
-      if (canvas && pixels) showPixels(canvas, pixels, width, height);
+      if (moves(this.entries[index])) await this.motionOf(this.entries[index]);
+      if (canvas) await this.drawTile(this.entries[index], canvas);
     }
     this.isDrawing = false;
+  }
+
+  /** @param {Entry} entry @param {HTMLCanvasElement} canvas @param {number} [frame] */
+  async drawTile(entry, canvas, frame) {
+    const ratio = Math.min(devicePixelRatio, 2), samples = frame === undefined ? tilePoints : tilePoints / 3;
+    const { pixels, width = 1, height = 1 } = await this.drawing.ask({ kind: "thumbnail", entry, frame, samples,
+      width: Math.round(tileWidth * ratio), height: Math.round(tileHeight * ratio) });
+    if (pixels) showPixels(canvas, pixels, width, height);
+  }
+
+  /** What moves in an entry, whose pictures show all of its motion from then on. @param {Entry} entry */
+  async motionOf(entry) {
+    const { motion, extent } = await this.drawing.ask({ kind: "load", entry }), boxes = extent?.reach?.map(({ box }) => box) ?? [];
+    if (boxes.length > 0 && entry.dimension === 2 && !entry.cage)
+      entry.box = boxes[0].map((_, i) => Math[i < 2 ? "min" : "max"](...boxes.map((box) => box[i])));
+    return motion;
+  }
+
+  /** Plays an entry under the pointer, until that leaves. @param {Entry} entry @param {HTMLCanvasElement} canvas @param {Element} tile */
+  async play(entry, canvas, tile) {
+    const motion = await this.motionOf(entry), began = performance.now();
+    while (motion && this.isShown && tile.matches(":hover")) {
+      const frame = Math.floor(((performance.now() - began) * motion.rate) / 1000);
+      await this.drawTile(entry, canvas, motion.isEndless ? frame % motion.frames : Math.min(frame, motion.frames - 1));
+      await new Promise((next) => requestAnimationFrame(next));
+    }
+    await this.drawTile(entry, canvas);
   }
 
   /** @param {number | null} index whose tile is to have the focus */

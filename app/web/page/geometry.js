@@ -40,11 +40,8 @@ export function edgeAt(corners, p, reach) {
   return least <= reach ? distances.indexOf(least) : -1;
 }
 
-/** @typedef {"move" | "rotate" | "scale"} Mode */
-
-/** The vertices after a drag from one point of the plane to another. Constrained: along one axis, in steps of 15°,
- * or in one direction, as in the program.
- * @param {Point[]} vertices those at the press @param {number[]} moving indices @param {Mode} mode
+/** The vertices after a drag from one point of the plane to another. Constrained: along one axis, in steps of 15°, or in one
+ * direction, as in the program. @param {Point[]} vertices those at the press @param {number[]} moving indices @param {Mode} mode
  * @param {Point} from @param {Point} to @param {boolean} isConstrained */
 export function dragged(vertices, moving, mode, from, to, isConstrained) {
   const changed = (/** @type {(vertex: Point) => Point} */ change) => vertices.map((v, i) => (moving.includes(i) ? change(v) : v));

@@ -3,8 +3,7 @@
 
 import { determinant, matrixOf } from "./geometry.js";
 
-/** The determinant rule, for rows whose maps have no weights.
- * @param {Entry} entry @returns {number[]} */
+/** The determinant rule, for rows whose maps have no weights. @param {Entry} entry @returns {number[]} */
 function shares({ dimension, maps }) {
   const sum = (/** @type {number[]} */ list) => list.reduce((a, b) => a + b, 0);
   const sizes = maps.map((map) => Math.abs(determinant(matrixOf(map, dimension))));

@@ -5,11 +5,7 @@
 const longestText = 1e6; // bytes, unpacked
 const piece = 512; // bytes that are unpacked at once: at most a thousand times as many come out
 
-/** Why there is no text in a link.
- * @typedef {"linkCut" | "linkDamaged" | "linkTooLarge"} LinkFlaw */
-
-/** The part of a link behind its mark, "" where the text is none.
- * @param {string} text */
+/** The part of a link behind its mark, "" where the text is none. @param {string} text */
 export function linkData(text) {
   return text.replace(/[\r\n]/g, "").match(/^\s*(?:barycage:#?|[a-z][a-z0-9+.-]*:\/\/[^\s{"#]*#)([\w-]+)\s*$/i)?.[1] ?? "";
 }
@@ -25,8 +21,7 @@ export async function packed(text) {
   return btoa(binary).replace(/\+/g, "-").replace(/\//g, "_").replace(/=+$/, "");
 }
 
-/** Unpacks no more than the limit.
- * @param {string} data @returns {Promise<{text: string} | {flaw: LinkFlaw}>} */
+/** Unpacks no more than the limit. @param {string} data @returns {Promise<{text: string} | {flaw: LinkFlaw}>} */
 export async function unpacked(data) {
   if (data.length > 2 * longestText) return { flaw: "linkTooLarge" };
   if (!/^[\w-]+$/.test(data)) return { flaw: "linkDamaged" };
@@ -43,8 +38,7 @@ export async function unpacked(data) {
     }
     if (size > longestText) await reader.cancel();
   })().catch(() => {});
-  /** @type {LinkFlaw} */
-  let flaw = "linkDamaged";
+  let flaw = /** @type {LinkFlaw} */ ("linkDamaged");
   const writer = writable.getWriter();
   writer.closed.catch(() => {});
   try {

@@ -9,6 +9,7 @@ import { Gallery } from "./gallery.js";
 import { entryText } from "./ifs_text.js";
 import { Lesson } from "./lesson.js";
 import { linkData, packed, unpacked } from "./link.js";
+import { Player } from "./player.js";
 import { fillTable } from "./table.js";
 import { filled, language, texts } from "./texts.js";
 
@@ -20,6 +21,7 @@ let entry = content.entries?.find(({ name }) => name === article?.entry) ?? cont
 let first = structuredClone(entry); // as it was shown first
 const [isHeld, isDragged, isTyped] = ["cage", "maps", "code"].map((edit) => content.allow.includes(edit));
 let isEdited = false;
+const playedMilliseconds = 24; // for a picture of an animation
 
 function speak() {
   document.documentElement.lang = language;
@@ -32,7 +34,7 @@ function speak() {
 }
 
 /** @param {Figure} figure */
-function speakOfEntry({ holdsMaps, hasMaps }) {
+function speakOfEntry({ holdsMaps, hasMaps, isHeld }) {
   const isTouch = matchMedia("(pointer: coarse)").matches, isSolid = entry.dimension === 3;
   const maps = isTouch || isSolid ? texts.touchMap : texts.dragMap;
   const cage = !isHeld ? "" : isSolid ? texts.deform : isTouch ? texts.touch : texts.drag;
@@ -124,18 +126,36 @@ function fillPalettes(palettes, choose) {
   }));
 }
 
-/** @param {Drawing} drawing @param {Figure} figure @param {Palette[]} palettes
- * @returns {{showEntry: () => Promise<void>, changeMap: (map: number, to: Row) => Promise<void>}} what shows
- *   the entry of the page, and what drags a map of it */
-function connect(drawing, figure, palettes) {
+/** @param {Drawing} drawing @param {Figure} figure @param {Player} player @param {Palette[]} palettes
+ * @returns {{showEntry: () => Promise<void>, showNumbers: () => void, changeMap: (map: number, to: Row) => Promise<void>}} what
+ *   shows the entry of the page, and the numbers of its maps, and what drags a map of it */
+function connect(drawing, figure, player, palettes) {
   /** @type {{map: number, to: Row} | undefined} */
   let next;
   let showNumbers = () => {};
+  /** What a map must be at rest to be this at the moment. @param {number} map @param {Row} row */
+  const stillRow = async (map, row) =>
+    figure.motion ? (await drawing.ask({ kind: "still", map, row, frame: player.frame })).row ?? row : row;
+  /** Shows the table of the entry, once it is known what keys move. @param {Motion | null} motion */
+  const showMotion = (motion) => {
+    /** @param {number} map */
+    const typed = async (map) => {
+      isEdited = true;
+      if (figure.shown) entry.maps[map] = await stillRow(map, figure.shown.rows[map]);
+      reload();
+    };
+    showNumbers = fillTable(byId("maps"), entry, () => figure.shown?.rows ?? entry.maps,
+      (map) => (isTyped && !motion?.movesMap[map] ? typed : null), (sentence) => (byId("problem").textContent = sentence));
+    byId("palettes").closest("section")?.toggleAttribute("hidden", motion?.movesLook ?? false);
+    if (motion?.movesCamera) player.show();
+  };
   const load = async () => {
-    const loaded = entry, change = next && { ...next, from: entry.maps[next.map] };
+    const loaded = entry, taken = next;
     next = undefined;
-    const { extent = null, row, isStopped } = await drawing.ask({ kind: "load", entry, change });
+    const change = taken && { map: taken.map, to: await stillRow(taken.map, taken.to), from: entry.maps[taken.map] };
+    const { extent = null, row, isStopped, motion = figure.motion } = await drawing.ask({ kind: "load", entry, change });
     if (loaded !== entry) return;
+    if (extent && change) extent.reach = figure.extent?.reach;
     const sentence = isStopped ? texts.stopped : extent ? "" : texts.noAttractor;
     byId("problem").textContent = change ? "" : sentence;
     if (isEdited) byId("notice").textContent = change ? sentence : "";
@@ -143,12 +163,14 @@ function connect(drawing, figure, palettes) {
       Object.assign(entry.maps[change.map], row);
       showNumbers();
     }
-    figure.hold(extent);
+    const isNew = !figure.isKnown;
+    if (isNew) player.take(motion);
+    figure.hold(extent, motion);
+    if (isNew) showMotion(motion);
     speakOfEntry(figure);
   };
   let isOld = false;
-  /** @type {Promise<void> | null} */
-  let loading = null;
+  let loading = /** @type {Promise<void> | null} */ (null);
   const reload = () => {
     isOld = true;
     return loading ??= (async () => {
@@ -161,12 +183,8 @@ function connect(drawing, figure, palettes) {
   };
   const showEntry = async () => {
     drawing.stop();
+    player.take(null);
     figure.take(entry);
-    const typed = () => {
-      isEdited = true;
-      reload();
-    };
-    showNumbers = fillTable(byId("maps"), entry, isTyped ? typed : null, (sentence) => (byId("problem").textContent = sentence));
     fillPalettes(palettes, async (palette) => {
       entry.palette = palette.name;
       entry.appearance = { ...entry.appearance, stops: palette.stops };
@@ -189,14 +207,17 @@ function connect(drawing, figure, palettes) {
     figure.reset();
   });
   byId("fit").addEventListener("click", () => figure.fit());
-  byId("png").addEventListener("click", () => {
-    const canvas = /** @type {HTMLCanvasElement} */ (byId("canvas"));
-    canvas.toBlob((blob) => blob && save(blob, `${entry.name}.png`));
+  byId("maps").addEventListener("focusin", () => player.pause());
+  byId("png").addEventListener("click", async () => {
+    const canvas = /** @type {HTMLCanvasElement} */ (byId("canvas")), name = entry.name + (figure.motion ? ` ${player.frame}` : "");
+    player.pause();
+    if (figure.motion) await drawing.rested();
+    canvas.toBlob((blob) => blob && save(blob, `${name}.png`));
   });
   byId("ifs").addEventListener("click", () =>
     save(new Blob([entryText(entry, figure.rest, figure.current, isEdited)], { type: "text/plain" }), `${entry.name}.ifs`));
   byId("copy-link").addEventListener("click", () => copyLink(figure));
-  return { showEntry, changeMap(map, to) {
+  return { showEntry, showNumbers: () => showNumbers(), changeMap(map, to) {
     next = { map, to };
     isEdited = true;
     return reload();
@@ -204,16 +225,15 @@ function connect(drawing, figure, palettes) {
 }
 
 /** The gallery of a collection, a click in which leads to a figure, and the browser's Back from there.
- * @param {Entry[]} entries @param {Drawing} drawing @param {() => Promise<void>} showEntry
+ * @param {Entry[]} entries @param {Drawing} drawing @param {Player} player @param {() => Promise<void>} showEntry
  * @param {boolean} isLinked whether the figure is shown first */
-function openGallery(entries, drawing, showEntry, isLinked) {
+function openGallery(entries, drawing, player, showEntry, isLinked) {
   const title = content.title ?? "";
   const gallery = new Gallery(entries, title, content.caption ?? "", drawing, (index) => {
     history.pushState({ entry: index }, "");
     open(index);
   });
-  /** @type {number | null} */
-  let shown = null;
+  let shown = /** @type {number | null} */ (null);
   const open = (/** @type {number} */ index) => {
     shown = index;
     gallery.hide();
@@ -222,6 +242,7 @@ function openGallery(entries, drawing, showEntry, isLinked) {
     showEntry();
   };
   const close = () => {
+    player.pause();
     drawing.stop();
     document.title = title;
     gallery.show(shown);
@@ -239,8 +260,7 @@ function openGallery(entries, drawing, showEntry, isLinked) {
 }
 
 /** The lesson of a collection. Each step begins with the entry as it was.
- * @param {Entry[]} entries @param {Step[]} steps @param {Figure} figure
- * @param {() => Promise<void>} showEntry */
+ * @param {Entry[]} entries @param {Step[]} steps @param {Figure} figure @param {() => Promise<void>} showEntry */
 function openLesson(entries, steps, figure, showEntry) {
   const { title = "", caption = "" } = content;
   new Lesson(title, steps, async (step) => {
@@ -280,24 +300,36 @@ async function start() {
   if (article) settleIn(article);
   /** @type {Figure} */
   let figure;
+  /** @type {Player} */
+  let player;
   const drawing = new Drawing(article?.worker() ?? ownWorker(), () => ({ ...figure.size, ratio: Math.min(devicePixelRatio, 2),
-    view: figure.camera.numbers(figure.size), rest: figure.rest, current: figure.current, bends: entry.cage?.bends ?? true }),
-    showPicture, failed, content.points);
+    view: figure.camera.numbers(figure.size), rest: figure.rest, current: figure.current, bends: entry.cage?.bends ?? true,
+    frame: player.frame, follows: figure.follows }), (answer) => {
+    showPicture(answer);
+    if (!answer.shown || !figure.isKnown) return; // or it is of the entry before
+    figure.takeShown(answer.shown);
+    showNumbers();
+  }, failed, content.points);
   const { palettes = [], versions, knowsSpace = false } =
     await drawing.ask({ kind: "start", wasm: byId("engine").textContent ?? "" });
   const linked = await linkedEntry(palettes, knowsSpace);
   if (linked) takeEntry(linked);
   figure = new Figure(entry, isHeld, {
     draw: (findsExposure) => document.body.dataset.view !== "gallery" && drawing.begin(findsExposure),
-    setLive: (isLive) => drawing.setLive(isLive),
+    setLive: (isLive) => player.run || drawing.setLive(isLive),
     changeMap: (map, row) => changeMap(map, row),
+    pause: () => player.pause(),
   });
-  const { showEntry, changeMap } = connect(drawing, figure, palettes);
+  player = new Player(() => {
+    figure.follows = figure.motion?.movesCamera ?? false;
+    drawing.begin();
+  }, (isPlaying) => drawing.setLive(isPlaying || figure.pointers.size > 0, isPlaying ? playedMilliseconds : undefined));
+  const { showEntry, showNumbers, changeMap } = connect(drawing, figure, player, palettes);
   // For tests, and for the curious.
-  Object.assign(window, { barycage: { drawing, figure, versions, get entry() { return entry; } } });
+  Object.assign(window, { barycage: { drawing, figure, player, versions, get entry() { return entry; } } });
   if (entries) document.body.dataset.state = "live";
   if (content.steps && entries && !linked) openLesson(entries, content.steps, figure, showEntry);
-  else if (entries && !content.steps) openGallery(entries, drawing, showEntry, linked !== null);
+  else if (entries && !content.steps) openGallery(entries, drawing, player, showEntry, linked !== null);
   if (!entries || linked) await showEntry();
   if (article?.holdsMaps && isDragged) {
     figure.setHoldsMaps(true);

@@ -9,16 +9,19 @@ const shownMaps = 60; // more than that nobody types
 const letters = "abcdefghijkl";
 
 /** A number of a map in a field, all of its digits while somebody types.
- * @param {Entry} entry @param {number} number of the map @param {number} index @param {(() => void) | null} changed
- * @param {(sentence: string) => void} say */
-function cellOf({ dimension, maps }, number, index, changed, say) {
-  const map = maps[number], isWeight = index === dimension * (dimension + 1), label = isWeight ? "p" : letters[index];
+ * @param {Entry} entry @param {() => Row[]} rows @param {number} number of the map @param {number} index
+ * @param {((map: number) => void) | null} changed @param {(sentence: string) => void} say */
+function cellOf({ dimension, maps }, rows, number, index, changed, say) {
+  const isWeight = index === dimension * (dimension + 1), label = isWeight ? "p" : letters[index];
   const input = element("input", { type: "text", inputmode: "text", autocomplete: "off", spellcheck: "false",
     "aria-label": filled(texts.cell, label, number + 1) });
   const show = (isWhole = false) => {
-    const value = map[index] ?? null;
+    if (!isWhole && input === document.activeElement) return;
+    const value = rows()[number][index] ?? null;
     input.title = String(value ?? "");
-    input.value = value === null || isWhole ? input.title : String(Number(value.toPrecision(dimension === 3 ? 4 : 5)));
+    const isMoving = rows() !== maps; // then as many digits as stay where they are
+    const short = () => Number(isMoving ? value?.toFixed(4) : value?.toPrecision(dimension === 3 ? 4 : 5));
+    input.value = value === null || isWhole ? input.title : String(short());
     input.setAttribute("aria-invalid", "false");
   };
   show();
@@ -35,24 +38,22 @@ function cellOf({ dimension, maps }, number, index, changed, say) {
     input.setAttribute("aria-invalid", String(!isNumber));
     say(isNumber ? "" : filled(texts.notANumber, input.value));
     if (!isNumber) return;
-    map[index] = value;
+    rows()[number][index] = value;
     input.title = String(value ?? "");
-    changed?.();
+    changed?.(number);
   });
   return { show, cell: element("label", { class: "cell" }, [element("span", { "aria-hidden": "true" }, [label]), input]) };
 }
 
-/** Fills `place` with the maps of the entry.
- * @param {HTMLElement} place @param {Entry} entry @param {(() => void) | null} changed hears of a new number; null where
- *   nobody can type @param {(sentence: string) => void} say
- * @returns {() => void} shows numbers that have changed elsewhere */
-export function fillTable(place, entry, changed, say) {
+/** Fills `place` with the maps of the entry. @param {HTMLElement} place @param {Entry} entry @param {() => Row[]} rows those
+ * that are shown @param {(map: number) => ((map: number) => void) | null} changed what hears of a new number; null where nobody
+ * can type @param {(sentence: string) => void} say @returns {() => void} shows numbers that have changed elsewhere */
+export function fillTable(place, entry, rows, changed, say) {
   const { dimension, maps } = entry, weightAt = dimension * (dimension + 1);
-  /** @type {(() => void)[]} */
-  const cells = [];
+  const cells = /** @type {(() => void)[]} */ ([]);
   const cards = maps.slice(0, shownMaps).map((_, number) => {
     const cellAt = (/** @type {number} */ index) => {
-      const { show, cell } = cellOf(entry, number, index, changed, say);
+      const { show, cell } = cellOf(entry, rows, number, index, changed(number), say);
       cells.push(show);
       return cell;
     };

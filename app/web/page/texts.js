@@ -3,8 +3,7 @@
 
 import { byId } from "./dom.js";
 
-/** @type {Record<string, typeof import("./texts.json")["en"]>} */
-const spoken = JSON.parse(byId("texts").textContent ?? "");
+const spoken = /** @type {Record<string, typeof import("./texts.json")["en"]>} */ (JSON.parse(byId("texts").textContent ?? ""));
 
 /** The first language of the browser that the page speaks, else English, else the only one. */
 export const language = [...navigator.languages.map((tag) => tag.toLowerCase().split("-")[0]), "en", ...Object.keys(spoken)]

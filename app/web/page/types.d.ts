@@ -8,7 +8,13 @@ type Size = { width: number; height: number }; // in pixels of the page
 type Row = (number | null)[];
 type Cage = { rest: Point[]; current: Point[]; bends: boolean };
 type Palette = { name: string; stops: number[][] };
-type Extent = { box: number[]; simplex: Point[] };
+/** Of an entry; and of one that moves, what its picture reaches at several moments: boxes, and the corners of a cage that moves. */
+type Extent = { box: number[]; simplex: Point[]; reach?: { box: number[]; corners: Point[] }[] };
+/** What moves in an entry: how many frames there are in a second and in a round, and what keys set; “turns” is a motion. */
+type Motion = { rate: number; length: number; frames: number; isEndless: boolean; movesCage: boolean; movesCamera: boolean;
+  movesLook: boolean; turns: boolean; movesMap: boolean[] };
+/** What a picture of an entry that moves shows; the camera is that of barycage_shown(). */
+type Shown = { rows: Row[]; corners: Point[]; camera: number[] | null };
 
 /** An entry of a collection. */
 interface Entry {
@@ -44,6 +50,18 @@ interface Appearance {
   mapBlends?: [number, number, number][];
 }
 
+/** What can be dragged, as it is shown: the cage, or a map as its image of the cage; and the cage as it is placed. */
+type Held = { map: number | null; row: Row; points: Point[]; current: Point[] };
+/** What of it moves: indices of points. Where nothing moves, it is the view. */
+type Grip = Held & { moving: number[] };
+/** What the pointer has pressed, as it was then. */
+type Press = Grip & { pixel: Point; camera: import("./camera.js").Camera };
+type Mode = "move" | "rotate" | "scale";
+/** What is to be drawn: sizes in pixels of the page, and of the screen for each of them. */
+type Scene = Size & Cage & { ratio: number; view: number[]; frame: number; follows: boolean };
+/** Why there is no text in a link. */
+type LinkFlaw = "linkCut" | "linkDamaged" | "linkTooLarge";
+
 /** A step of a lesson shows an entry by its index, and of the plane an area: its middle, width and height. */
 type Step = { title: string; text: string; entry: number; maps: boolean; area?: number[] };
 /** The content of a page: an entry, a gallery or a lesson. */
@@ -76,8 +94,10 @@ type Question =
   | { kind: "start"; wasm: string }
   | { kind: "load"; entry: Entry; change?: Change }
   | { kind: "look"; appearance: Appearance }
-  | { kind: "thumbnail"; entry: Entry; width: number; height: number; samples: number }
-  | (Cage & { kind: "draw"; width: number; height: number; view: number[]; samples: number; begin: boolean; keepExposure: boolean });
+  | { kind: "still"; map: number; row: Row; frame: number }
+  | { kind: "thumbnail"; entry: Entry; width: number; height: number; samples: number; frame?: number }
+  | (Cage & { kind: "draw"; width: number; height: number; view: number[]; frame: number; follows: boolean; samples: number;
+      begin: boolean; keepExposure: boolean });
 /** What the worker answers, and what it cannot. */
 type Answer = Partial<Size> & {
   failure?: string;
@@ -85,6 +105,8 @@ type Answer = Partial<Size> & {
   versions?: string;
   knowsSpace?: boolean;
   extent?: Extent | null;
+  motion?: Motion | null;
+  shown?: Shown;
   row?: Row;
   isStopped?: boolean;
   pixels?: Uint8ClampedArray<ArrayBuffer>;

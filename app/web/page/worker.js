@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: MIT
 // Draws in a thread of its own, so that the page never waits for a picture.
 
-import { Engine, startedEngine } from "./engine.js";
+import { bytesOf, Engine, startedEngine } from "./engine.js";
 
-/** The bytes of Base64 that is compressed with gzip.
- * @param {string} base64 */
-async function unpacked(base64) {
-  const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
-  const stream = new Response(bytes).body?.pipeThrough(new DecompressionStream("gzip")); // WebKitGTK cannot read a Blob here
+/** The bytes of text in base 85 that is compressed with gzip. @param {string} text */
+async function unpacked(text) {
+  const stream = new Response(bytesOf(text)).body?.pipeThrough(new DecompressionStream("gzip")); // WebKitGTK cannot read a Blob here
   return new Response(stream).arrayBuffer();
 }
 
 /** A small picture of all of an entry, as it is in the collection.
- * @param {Engine} drawing @param {Entry} entry @param {number} width @param {number} height @param {number} samples */
-function drawSmall(drawing, entry, width, height, samples) {
+ * @param {Engine} drawing @param {Question & {kind: "thumbnail"}} request */
+function drawSmall(drawing, { entry, width, height, samples, frame = -1 }) {
   const extent = drawing.load(entry);
   const box = entry.box ?? extent?.box ?? [-1, -1, 1, 1];
   let view = entry.view ?? [];
@@ -26,9 +24,21 @@ function drawSmall(drawing, entry, width, height, samples) {
     view = [...middle, view[3], view[4], Math.max(Math.hypot(...sides), 1e-9), view[6]];
   }
   drawing.setCamera(width, height, view);
-  const { rest, current, bends } = entry.cage ?? { rest: [], current: [], bends: true };
-  drawing.setCage(rest, current, bends);
+  if (!entry.cage && !drawing.motion) drawing.setCage([], [], true);
+  drawing.show(frame, true);
   drawing.draw(samples, true, false);
+}
+
+/** What the picture reaches at evenly spaced frames: 19, for a motion that repeats itself does so at other ones, or fewer where
+ * maps are many. @param {Engine} engine @returns {Extent["reach"]} */
+function reachOf(engine) {
+  const { motion, maps } = engine, count = Math.max(5, Math.min(19, Math.round(300 / maps)));
+  if (!motion) return undefined;
+  const reach = Array.from({ length: count }, (_, i) => {
+    engine.show(Math.round((motion.length * i) / (count - 1)), false);
+    return { box: engine.reach() ?? [], corners: motion.movesCage || motion.turns ? engine.shown().corners : [] };
+  });
+  return reach.filter(({ box }) => box.length > 0);
 }
 
 const halvings = 4; // of a way that leads to where there is no attractor: near its end, every look takes long
@@ -53,23 +63,31 @@ function answerTo(engine, request) {
     return { palettes: engine.palettes(), versions: engine.versions(), knowsSpace: engine.knows({ name: "", dimension: 3, maps: [] }) };
   if (request.kind === "load") {
     const { entry, change } = request;
-    return change ? loadChanged(engine, entry, change) : { extent: engine.load(entry) };
+    if (change) return loadChanged(engine, entry, change);
+    const extent = engine.load(entry);
+    return { extent: extent && { ...extent, reach: reachOf(engine) }, motion: engine.motion };
   }
   if (request.kind === "look") {
     engine.setAppearance(request.appearance);
     return {};
   }
+  if (request.kind === "still") {
+    engine.show(request.frame, false);
+    return { row: engine.still(request.map, request.row) };
+  }
   const { width, height } = request, began = performance.now();
   let { samples } = request;
-  if (request.kind === "thumbnail") drawSmall(engine, request.entry, width, height, samples);
+  if (request.kind === "thumbnail") drawSmall(engine, request);
   else {
     if (request.begin) {
       engine.setCamera(width, height, request.view);
       engine.setCage(request.rest, request.current, request.bends);
+      engine.show(request.frame, request.follows);
     }
     samples = engine.draw(samples, request.begin, request.keepExposure);
   }
-  return { width, height, pixels: engine.pixels(), samples, milliseconds: performance.now() - began };
+  const shown = engine.motion ? engine.shown() : undefined;
+  return { width, height, pixels: engine.pixels(), shown, samples, milliseconds: performance.now() - began };
 }
 
 /** @type {Promise<Engine> | undefined} whose WebAssembly the engines of all figures share */

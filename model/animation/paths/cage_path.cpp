@@ -3,6 +3,8 @@
 
 #include "ifs/system/map_interpolation.h"
 
+#include <Eigen/LU>
+
 #include <algorithm>
 #include <array>
 

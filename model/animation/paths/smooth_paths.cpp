@@ -8,6 +8,8 @@
 #include "ifs/system/decomposition.h"
 #include "ifs/system/map_interpolation.h"
 
+#include <Eigen/LU>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>

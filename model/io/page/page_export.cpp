@@ -3,6 +3,7 @@
 
 #include "document/fractal/fractal_geometry.h"
 #include "document/fractal/space_geometry.h"
+#include "document/moments/animated_fractal.h"
 #include "document/text/text.h"
 #include "io/page/page_entry.h"
 #include "io/page/page_script.h"
@@ -210,15 +211,23 @@ const QString& titleOf(const PageExport& page) {
     return page.entries.isEmpty() ? page.fractal.name : page.title;
 }
 
+// The engine that knows what the page shows, and no more.
+std::string engineOf(const PageExport& page) {
+    const auto isSolid = [](const auto& fractal) { return document::space(*fractal) != nullptr; };
+    const auto moves = [](const auto& fractal) { return document::animationFacts(*fractal).has_value(); };
+    std::string name = "engine";
+    if (!document::space(page.fractal) && std::ranges::none_of(page.entries, isSolid)) name += "_plane";
+    if (document::animationFacts(page.fractal) || std::ranges::any_of(page.entries, moves)) name += "_moving";
+    return name + ".wasm.gz";
+}
+
 using Fields = std::map<std::string, std::string, std::less<>>;
 
 // What stands in the template.
 Fields fieldsOf(const PageExport& page) {
     const char* extra = !page.steps.isEmpty() ? "lesson.js" : page.entries.isEmpty() ? "" : "gallery.js";
     const QByteArray script = joinedScript(notation::pageModules(extra)), style = styleOf(page);
-    const auto isSolid = [](const auto& fractal) { return document::space(*fractal) != nullptr; };
-    const bool knowsSpace = document::space(page.fractal) || std::ranges::any_of(page.entries, isSolid);
-    const char* engine = knowsSpace ? "engine.wasm.gz" : "engine_plane.wasm.gz";
+    const QByteArray engine = pagePart(engineOf(page));
     const QString language = page.language.isEmpty() ? QStringLiteral("en") : page.language;
     const QJsonObject texts = QJsonDocument::fromJson(pagePart("texts.json")).object();
     const std::pair<const char*, QByteArray> parts[]{
@@ -232,7 +241,7 @@ Fields fieldsOf(const PageExport& page) {
         {"style-hash", hashOf(style)},
         {"still", stillAddress(page.fractal)},
         {"content", contentOf(page)},
-        {"engine", pagePart(engine).toBase64()},
+        {"engine", QByteArray::fromStdString(notation::inBase85(engine.toStdString()))},
         {"worker", joinedScript(notation::workerModules())},
         {"script", script},
         {"script-hash", hashOf(script)},

@@ -25,6 +25,10 @@ std::string plainStyle(std::string_view style); // without indents
 // JSON within a page, which nothing in it can end: no “<” stands in it.
 std::string embedded(std::string_view json);
 
+// Bytes as text that ends nothing in a page, a string or an attribute: five digits of base 85 for every four
+// bytes, and one more than its bytes for the rest. Shorter by 6 % than Base64, which counts in an engine.
+std::string inBase85(std::string_view bytes);
+
 // The template with its {{fields}} filled in; the inserted texts are not searched again.
 std::string filled(std::string_view pattern, const std::map<std::string, std::string, std::less<>>& fields);
 

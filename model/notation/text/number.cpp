@@ -2,10 +2,42 @@
 #include "notation/text/number.h"
 
 #include <cstddef>
+#include <cstdlib>
 
 namespace notation {
 
 namespace {
+
+#ifdef __cpp_lib_to_chars
+std::from_chars_result decimal(const char* first, const char* last, double& value, std::chars_format format) {
+    return std::from_chars(first, last, value, format);
+}
+#else
+// The library of browsers reads no such numbers yet. strtod() there rounds as well, knows no locale, and
+// reads more, which is kept from it.
+std::from_chars_result decimal(const char* first, const char* last, double& value, std::chars_format format) {
+    const auto skipDigits = [last](const char*& at) {
+        const char* const begin = at;
+        while (at != last && *at >= '0' && *at <= '9')
+            ++at;
+        return at - begin;
+    };
+    const char* at = first;
+    if (at != last && *at == '-') ++at;
+    auto digits = skipDigits(at);
+    if (at != last && *at == '.') digits += skipDigits(++at);
+    if (digits == 0) return {first, std::errc::invalid_argument};
+    if (format == std::chars_format::general && at != last && (*at == 'e' || *at == 'E')) {
+        const char* power = at + 1;
+        if (power != last && (*power == '-' || *power == '+')) ++power;
+        if (skipDigits(power) > 0) at = power;
+    }
+    const double read = std::strtod(std::string(first, at).c_str(), nullptr);
+    if (!std::isfinite(read)) return {at, std::errc::result_out_of_range};
+    value = read;
+    return {at, std::errc()};
+}
+#endif
 
 // The power of ten of the first digit that is not 0, of the text of a number.
 double magnitude(const char* first, const char* last) {
@@ -36,7 +68,7 @@ double magnitude(const char* first, const char* last) {
 
 std::from_chars_result fromChars(const char* first, const char* last, double& value,
                                  std::chars_format format) {
-    std::from_chars_result result = std::from_chars(first, last, value, format);
+    std::from_chars_result result = decimal(first, last, value, format);
     if (result.ec == std::errc::result_out_of_range && magnitude(first, result.ptr) < 0) {
         value = 0;
         result.ec = {};

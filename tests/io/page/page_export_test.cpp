@@ -245,7 +245,8 @@ void PageExportTest::aScriptForArticlesHoldsTheEngineOnce() {
     QVERIFY(std::ranges::all_of(script, [](char c) { return static_cast<unsigned char>(c) < 128; }));
     const QJsonObject figures = QJsonDocument::fromJson(inside(script, "\nembed(", ");\n})();")).object();
     QCOMPARE(figures[u"title"].toString(), what.fractal.name);
-    QCOMPARE(figures[u"engine"].toString().toLatin1(), io::pagePart("engine_plane.wasm.gz").toBase64());
+    QCOMPARE(figures[u"engine"].toString().toStdString(),
+             notation::inBase85(io::pagePart("engine_plane.wasm.gz").toStdString()));
     QVERIFY(!figures[u"worker"].toString().isEmpty());
     const QByteArray page = figures[u"page"].toString().toUtf8();
     QCOMPARE(contentOf(page), contentOf(io::pageOf(what)));
