@@ -183,7 +183,7 @@ void LayeringTest::includesPointDownwards_data() {
     QTest::newRow("model/notation") << "model/notation" << notation << qt;
     QTest::newRow("model/document") << "model/document" << document << widgets;
     QTest::newRow("model/io") << "model/io" << io << widgets;
-    QTest::newRow("app/web") << "app/web" << attractor + QStringList{QStringLiteral("web")} << qt;
+    QTest::newRow("app/web") << "app/web" << notation + QStringList{QStringLiteral("web")} << qt;
     QTest::newRow("app/python") << "app/python" << notation + QStringList{QStringLiteral("python")} << qt;
     QTest::newRow("view") << "view" << view << QStringLiteral("^$");
 }
