@@ -40,7 +40,8 @@ export async function shown(path, options = {}) {
 }
 const isRefined = "barycage.drawing.total >= barycage.drawing.enough || barycage.drawing.total === 0 && !barycage.drawing.isBusy";
 export async function rested(browser) {
-  await browser.until("!barycage.drawing.isBusy && !barycage.drawing.isStale");
+  // Nor is an entry under way to the engine.
+  await browser.until("barycage.drawing.waiting.length === 0 && !barycage.drawing.isBusy && !barycage.drawing.isStale");
   await browser.until(isRefined);
 }
 export async function keep(browser, name) {
