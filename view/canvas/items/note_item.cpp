@@ -85,8 +85,9 @@ QRectF NoteItem::boxAt(int place) const {
                .adjusted(-notePadding, -notePadding * 0.7, notePadding, notePadding * 0.7);
     if (m_isDismissible) text.setWidth(text.width() + 2 * crossRoom); // keeps the sentence centred
     const double left = m_view.left() + noteMargin, right = m_view.right() - noteMargin - text.width();
-    const double x = place % 3 == 0 ? m_view.center().x() - text.width() / 2 : place % 3 == 1 ? left : right;
-    const double inwards = noteMargin + (place / 3) * text.height();
+    const int row = place / 3, column = place % 3;
+    const double x = column == 0 ? m_view.center().x() - text.width() / 2 : column == 1 ? left : right;
+    const double inwards = noteMargin + row * text.height();
     const double y = m_edge == Edge::Top ? m_view.top() + inwards : m_view.bottom() - inwards - text.height();
     return {x, y, text.width(), text.height()};
 }
