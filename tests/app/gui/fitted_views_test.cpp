@@ -4,6 +4,7 @@
 #include "app/gui/window_fixture.h"
 #include "panels/maps/symmetry_row.h"
 #include "space/space_view.h"
+#include "support/background_rest.h"
 #include "support/choose.h"
 #include "support/named_test.h"
 
@@ -46,12 +47,17 @@ private:
     void chooseSymmetry(ifs::SymmetryGroup group) const {
         support::choose(m_window->findChild<view::SymmetryRow*>()->groups(), group);
     }
+    // Fits the plane, and waits until the extent that is sought in the background has been fitted.
+    void fitAndRest() const {
+        plane().fit();
+        QVERIFY(support::backgroundRests());
+    }
     // Until what is searched in the background has been found.
     void awaitFit(const attractor::Camera& before) const { QTRY_VERIFY(!(plane().camera() == before)); }
 };
 
 void FittedViewsTest::undoOfASymmetryTakesTheViewBack() {
-    plane().fit();
+    fitAndRest();
     const attractor::Camera before = plane().camera();
     chooseSymmetry(ifs::SymmetryGroup::Mirror);
     awaitFit(before);
@@ -66,11 +72,11 @@ void FittedViewsTest::undoOfASymmetryTakesTheViewBack() {
 }
 
 void FittedViewsTest::undoTakesBackAFitAfterTheEdit() {
-    plane().fit();
+    fitAndRest();
     const attractor::Camera before = plane().camera();
     scale(0.25);
     QCOMPARE(plane().camera(), before); // the edit alone does not move it
-    plane().fit();
+    fitAndRest();
     awaitFit(before);
     scale(0.5);
     history().setIndex(0);
@@ -82,13 +88,13 @@ void FittedViewsTest::undoTakesBackAFitAfterTheEdit() {
 }
 
 void FittedViewsTest::aFitAfterAnotherColourStays() {
-    plane().fit();
+    fitAndRest();
     const attractor::Camera before = plane().camera();
     document::Fractal changed = document().fractal();
     changed.appearance.background.alpha = 0;
     document().edit(u"Transparent"_s, changed);
     plane().setFittedToo(document::Box{{-9, -9}, {9, 9}});
-    plane().fit();
+    fitAndRest();
     awaitFit(before);
     const attractor::Camera fitted = plane().camera();
     history().undo();
@@ -98,7 +104,7 @@ void FittedViewsTest::aFitAfterAnotherColourStays() {
 }
 
 void FittedViewsTest::theViewThatTheUserMovedStays() {
-    plane().fit();
+    fitAndRest();
     chooseSymmetry(ifs::SymmetryGroup::Mirror);
     plane().zoomBy(3);
     const attractor::Camera zoomed = plane().camera();
@@ -109,7 +115,7 @@ void FittedViewsTest::theViewThatTheUserMovedStays() {
 }
 
 void FittedViewsTest::anEditThatLeavesTheViewIsUndoneWithoutIt() {
-    plane().fit();
+    fitAndRest();
     scale(0.3);
     scale(0.5); // the view is still that of the first picture, not fitted to this one
     const attractor::Camera before = plane().camera();
@@ -154,7 +160,7 @@ void FittedViewsTest::undoOfCameraKeysTakesTheViewBack_data() {
 // As after Zoom In Endlessly.
 void FittedViewsTest::undoOfCameraKeysTakesTheViewBack() {
     QFETCH(bool, isFitted);
-    plane().fit();
+    fitAndRest();
     if (!isFitted) plane().zoomBy(2);
     const attractor::Camera before = plane().camera();
     document::Fractal keyed = document().entryFractal();
