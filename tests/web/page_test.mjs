@@ -246,6 +246,17 @@ test("without WebAssembly there is a still picture and a sentence", async () => 
   await keep(browser, "still");
 });
 
+test("a page that is still loading asks for no other browser", async () => {
+  const browser = await Browser.start();
+  open.push(browser);
+  await browser.send("POST", "/goog/cdp/execute", { cmd: "Page.addScriptToEvaluateOnNewDocument",
+    params: { source: "window.Worker = class { postMessage() {} };" } }); // whose engine never answers
+  await browser.open(`file://${maple}`);
+  assert.equal(await browser.value("document.body.dataset.state"), "still");
+  assert.equal(await browser.value("document.getElementById('plain').checkVisibility()"), false);
+  assert.ok(await browser.value("document.getElementById('still').checkVisibility()"));
+});
+
 test("axe finds nothing that keeps anybody out", async () => {
   for (const dark of [false, true]) {
     const browser = await shown(maple, { dark });

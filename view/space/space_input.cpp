@@ -64,9 +64,10 @@ bool SpaceInput::pressed(Qt::MouseButton button) {
     if (!m_ball.covers(position)) m_ballFocus.leave();
     if (button == Qt::RightButton || (button == Qt::LeftButton && isOnBall())) {
         beginOrbit(button);
-    } else if (button != Qt::LeftButton) {
-        return false;
-    } else if (m_isEnabled && m_definition.isActive()) {
+        return !isIdle();
+    }
+    if (button != Qt::LeftButton) return false;
+    if (m_isEnabled && m_definition.isActive()) {
         define();
     } else if (m_isEnabled && pressHandle()) {
         // Already held.

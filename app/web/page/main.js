@@ -46,6 +46,7 @@ function speakOfEntry({ holdsMaps, hasMaps, isHeld }) {
 function failed() {
   document.body.dataset.state = "still";
   byId("plain").textContent = texts.failed;
+  byId("plain").hidden = false;
 }
 
 /** The entry of the text in the page, or of the link by which it was opened, if there is one that can be shown.
@@ -295,6 +296,7 @@ function ownWorker() {
 }
 
 async function start() {
+  byId("plain").hidden = true; // here are scripts
   speak();
   listenForLinks();
   if (article) settleIn(article);
