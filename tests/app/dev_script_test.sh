@@ -28,6 +28,15 @@ begin() {
   for program in cmake ctest valgrind gcovr xvfb-run clang-format clang-tidy codespell shellcheck; do
     fake "$program" <<<'echo "${0##*/} $* corpus=${BARYCAGE_CORPUS:-}" >>"$LOG"'
   done
+  # Joins the sources of a folder, as CMake does.
+  fake cmake <<'PROGRAM'
+echo "${0##*/} $* corpus=${BARYCAGE_CORPUS:-}" >>"$LOG"
+[[ $* == *"-B build/tidy "* ]] || exit 0
+joined=$PWD/build/tidy/Unity/model.cxx
+mkdir -p "$(dirname "$joined")"
+printf '#include "%s"\n' "$PWD"/model/*.cpp >"$joined"
+printf '  "file": "%s",\n' "$joined" "$PWD/build/tidy/a_autogen/moc.cpp" >build/tidy/compile_commands.json
+PROGRAM
   fake id <<<'echo "${USER_ID:-1000}"'
   fake dpkg-query <<<'[ -e "$INSTALLED/${!#}" ] && echo install ok installed'
   fake apt-get <<'PROGRAM'
@@ -142,6 +151,17 @@ dev test -R some </dev/null
 expect "is read where the variable says" called "^ctest .* -R some corpus=$work/elsewhere$"
 environment=()
 
+begin "clang-tidy"
+mkdir -p "$work/project/model"
+echo '// SPDX-License-Identifier: MIT, one' >"$work/project/model/one.cpp"
+echo '// SPDX-License-Identifier: MIT, two' >"$work/project/model/two.cpp"
+dev --yes check </dev/null
+joined=$work/project/build/tidy/Unity/model.cxx
+expect "take the sources joined" called "^clang-tidy .*$joined"
+expect "leave out what is generated" not called "^clang-tidy .*_autogen"
+expect "see the first source as its own text" grep -q "MIT, one" "$joined"
+expect "see the last source as its own text" grep -q "MIT, two" "$joined"
+
 begin "licence headers"
 dev --yes check </dev/null
 header='// SPDX-License-Identifier: MIT'
@@ -175,6 +195,7 @@ for file in dev .ci/run model/a.h model/a.cpp app/b.cpp CMakeLists.txt; do
   expect "name $file" says "$file: no licence header"
 done
 fake git <<<'exit 128'
+fake cmake <<<'mkdir -p build/tidy; : >build/tidy/compile_commands.json'
 : >"$work/log"
 dev check </dev/null
 expect "fail when no file was looked at" ends_with 1

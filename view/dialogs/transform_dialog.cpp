@@ -263,7 +263,7 @@ void TransformDialog::chooseAbout() {
             return false;
         }
         for (int k = 0; k < point->size(); ++k)
-            m_fields[std::size_t(AboutX + k)]->setValue((*point)[k]);
+            m_fields[std::size_t(AboutX) + std::size_t(k)]->setValue((*point)[k]);
         return true;
     };
     if (m_dimension == 2 ? fill(chosenPoint<2>()) : fill(chosenPoint<3>())) showLive();
@@ -276,7 +276,7 @@ void TransformDialog::chooseAxis() {
         return;
     }
     for (int k = 0; k < 3; ++k)
-        m_fields[std::size_t(AxisX + k)]->setValue(k == static_cast<int>(choice) ? 1 : 0);
+        m_fields[std::size_t(AxisX) + std::size_t(k)]->setValue(k == static_cast<int>(choice) ? 1 : 0);
     showLive();
 }
 

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <variant>
 #include <vector>
 
 namespace document {
@@ -29,7 +30,7 @@ public:
 
     std::size_t count() const { return maps().size(); }
     const std::vector<ifs::WeightedMap<2>>& maps() const {
-        return m_branch.empty() ? system2(*m_fractal)->maps : m_branchMap;
+        return m_branch.empty() ? std::get<Shape<2>>(m_fractal->shape).system.maps : m_branchMap;
     }
     std::vector<ifs::Vector<2>> corners(std::size_t index) const; // images of the cage's vertices
     // Polygon of the corners, bent with the cage.

@@ -211,8 +211,9 @@ void CanvasScene::layoutItems() {
     m_cageItem->setPolygon(cagePolygon());
     // Corners of several maps have the numbers of those of the cage.
     std::vector<BorderArrow> arrows = borderArrows(pixelsOf(m_camera, m_handles.heldPoints()), sceneRect());
+    const int vertices = std::max(int(m_handles.vertexCount()), 1);
     for (BorderArrow& arrow : arrows)
-        arrow.vertex %= int(m_handles.vertexCount());
+        arrow.vertex %= vertices;
     m_marks.borderArrows().setArrows(std::move(arrows));
     layoutFrames();
     layoutPaths();

@@ -444,7 +444,7 @@ QString ExportDialog::chosenFile() {
     const QList<Kind> allKinds = kinds();
     const QStringList suffixes =
         std::ranges::find(allKinds, chosenValue<File>(m_format), &Kind::file)->suffixes;
-    const QString suffix = suffixes.first();
+    const QString& suffix = suffixes.first();
     const QString filter =
         QStringLiteral("%1 (*.%2)").arg(suffix.toUpper(), suffixes.join(QStringLiteral(" *.")));
     const QString path = chooseFile({.title = tr("Export Picture"), .suffix = suffix, .filter = filter});

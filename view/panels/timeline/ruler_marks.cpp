@@ -33,9 +33,9 @@ double labelWidth(const RulerPlace& place, const QFontMetricsF& metrics) {
 
 int labelStep(const RulerPlace& place, double width) {
     const double wanted = width / place.scale;
-    int step = 0;
-    for (double least = wanted; step < wanted; least *= 1.5) // whole frames may be a little closer
-        step = rulerStep(least, place.timing.rate, place.unit);
+    int step = rulerStep(wanted, place.timing.rate, place.unit);
+    for (double least = wanted; step < wanted;) // whole frames may be a little closer
+        step = rulerStep(least *= 1.5, place.timing.rate, place.unit);
     return step;
 }
 
@@ -47,7 +47,7 @@ int firstInSight(const RulerPlace& place, int step) {
 // Frames from one tick to the next: as many in each step as are not too close.
 int tickStep(const RulerPlace& place, int step) {
     for (int parts = maxParts; parts > 1; --parts)
-        if (step % parts == 0 && step / parts * place.scale >= closest) return step / parts;
+        if (const int ticks = step / parts; step % parts == 0 && ticks * place.scale >= closest) return ticks;
     return step;
 }
 
