@@ -355,7 +355,7 @@ void LessonCommands::askForForeign(const QString& path, io::LessonFile lesson) {
                 promise.addResult(fractalsOf(path, reference));
             });
         const QString label = tr("Reading “%1”…").arg(QFileInfo(reference).fileName());
-        if (!view::waitFor(QFuture<void>(found), label, m_parts.window) || !self) return;
+        if (!view::waitFor(QFuture<void>(found), label, self->m_parts.window) || !self) return;
         if (const QString fractals = found.result(); fractals.isEmpty())
             offerToFind(path, lesson);
         else

@@ -169,7 +169,7 @@ void LinkedExtent::boundParts() {
     std::size_t links = 0;
     for (const auto& before : m_before)
         links += before.size();
-    const std::size_t rounds = maxWork / (links * directions);
+    const std::size_t rounds = maxWork / std::max(links * directions, std::size_t(1));
     std::vector<std::vector<double>> bounds(n, std::vector<double>(directions, m_radius));
     for (std::size_t round = 0; round < rounds; ++round) {
         double change = 0;
