@@ -67,7 +67,9 @@ ExitStatus run(const std::vector<std::string>& words) {
         reportError(QStringLiteral("barycage-cli"), tr("There is not enough memory for this."));
         return ExitStatus::CannotReadOrWrite;
     } catch (const std::system_error& error) {
-        reportError(QStringLiteral("barycage-cli"), QString::fromLocal8Bit(error.what()));
+        const bool isThread = error.code() == std::errc::resource_unavailable_try_again; // was not started
+        reportError(QStringLiteral("barycage-cli"), isThread ? tr("There is not enough memory for this.")
+                                                             : QString::fromLocal8Bit(error.what()));
         return ExitStatus::CannotReadOrWrite;
     }
 }

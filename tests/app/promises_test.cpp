@@ -39,7 +39,11 @@ void PromisesTest::onlyThesePlacesReachOtherPrograms_data() {
     row("shells and forks", R"((?:\bstd::|[^\w:]::)system\s*\(|\bsystem\s*\(\s*"|[^\w]fork\s*\(\s*\))", {});
     row("the desktop", R"(\bQDesktopServices::|setOpenExternalLinks)",
         {QStringLiteral("view/desktop/show_in_folder.cpp"), QStringLiteral("view/dialogs/guide.cpp")});
-    row("the network", R"(\bQNetwork|\bQTcp|\bQUdp|\bQLocalSocket|\bQSsl|[^\w]socket\s*\()", {});
+    row("the network", R"(\bQNetwork|\bQTcp|\bQUdp|\bQLocalSocket|\bQSsl|[^\w]socket\s*\(|Qt6::Network)", {});
+    row("the session bus", R"(\bQDBus|Qt6::DBus)",
+        {QStringLiteral("app/gui/portal/"), QStringLiteral("app/gui/CMakeLists.txt")});
+    row("temporary files", R"(\bQTemporary(File|Dir)\b|\btmpfile\s*\(|\bmkstemp|\bQDir::temp|TempLocation)",
+        {QStringLiteral("model/io/file/standard_output.cpp")}); // one without a name
     row("libraries", R"(\bQPluginLoader|\bQLibrary\b|\bdlopen\s*\()",
         {QStringLiteral("model/io/video/libav/library.cpp")});
 }

@@ -13,13 +13,24 @@ class FileNamesTest : public QObject {
 
 private slots:
     void whatIsHarmlessStays() {
-        for (const char* name : {"maple", "two words", "Ahorn-ä", "a.b", "100%", "a:b", "back\\slash", "🍁"}) {
+        for (const char* name :
+             {"maple", "two words", "Ahorn-ä", "a.b", "100%", "a:b", "back\\slash", "🍁", "❤️"}) {
             const QString text = QString::fromUtf8(name);
             QCOMPARE(document::fileNamePart(text), text);
             QCOMPARE(document::oneLine(text), text);
         }
         const QString byte = QStringLiteral("m") + QChar(0xdce4); // a byte that is no UTF-8
         QCOMPARE(document::fileNamePart(byte), byte);
+    }
+    void whatCannotBeSeenIsShown() {
+        for (const char32_t c : {0xadU, 0x34fU, 0x115fU, 0x17b4U, 0x180bU, 0x200bU, 0x2800U, 0x3164U, 0xfe00U,
+                                 0xfe0fU, 0xffa0U, 0xe0100U}) {
+            const QString text = u'a' + QString::fromUcs4(&c, 1) + u'b';
+            QCOMPARE(document::fileNamePart(text), QStringLiteral("a_b"));
+            QCOMPARE(document::oneLine(text), QStringLiteral("a_b"));
+        }
+        // A name with it is taken for bytes that could not be read.
+        QCOMPARE(document::fileNamePart(QStringLiteral("\ufffd")), QStringLiteral("_"));
     }
     void nothingIsEmptyOrAFolder() {
         for (const char* name : {"", ".", "..", "/", "  ", "./"}) {

@@ -396,8 +396,8 @@ private:
 
     // Returns true if the output is an input file whose contents would be lost.
     bool wouldLose(const QString& output) const {
-        if (m_arguments.overwrite || isStandardOutput(output)) return false;
-        if (isSameFile(output, fileBehind(m_input))) {
+        if (m_arguments.overwrite) return false;
+        if (isReplacedBy(output, fileBehind(m_input))) {
             if (m_holdsLess)
                 reportError(output, tr("This is the input file, and the output would contain less than it "
                                        "does. Write to another file, or replace it with --overwrite."));
@@ -405,7 +405,7 @@ private:
         }
         const bool isOther =
             std::any_of(m_arguments.files.begin(), m_arguments.files.end() - 1, [&](const std::string& file) {
-                return isSameFile(output, fileBehind(fileNameOf(file)));
+                return isReplacedBy(output, fileBehind(fileNameOf(file)));
             });
         if (isOther)
             reportError(output,

@@ -29,8 +29,7 @@ void forgetFilesRead() {
 }
 
 void refuseToReplaceInput(const QString& output) {
-    if (isStandardOutput(output)) return;
-    const auto isIt = [&output](const QString& path) { return isSameFile(output, path); };
+    const auto isIt = [&output](const QString& path) { return isReplacedBy(output, path); };
     if (std::any_of(filesRead().cbegin(), filesRead().cend(), isIt))
         throw UsageError{
             tr("“%1” is an input file, and the output would replace it. Write to another file.").arg(output)};

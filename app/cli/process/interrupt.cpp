@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "process/interrupt.h"
 
+#include "io/file/replacement_file.h"
 #include "options/exit_status.h"
 #include "options/tr.h"
 #include "process/messages.h"
@@ -39,6 +40,7 @@ ExitStatus statusOf(int signal) {
 [[noreturn]] void endNow(int signal) {
     reportError(QStringLiteral("barycage-cli"),
                 signal == outOfTime ? tr("The time limit has passed.") : tr("Interrupted."));
+    io::removeUnfinished();
     std::_Exit(int(statusOf(signal)));
 }
 

@@ -5,6 +5,7 @@
 // usual, with std::bad_alloc or a null pointer.
 #include "process/short_memory.h"
 
+#include "io/file/replacement_file.h"
 #include "options/exit_status.h"
 
 #include <atomic>
@@ -41,6 +42,7 @@ extern "C" void* __libc_memalign(std::size_t alignment, std::size_t size);
 namespace cli {
 
 int memoryIsShort() noexcept {
+    io::removeUnfinished();
     constexpr char sentence[] = "barycage-cli: error: There is not enough memory for this.\n";
     if (::write(STDERR_FILENO, sentence, sizeof sentence - 1) < 0) {
         // No memory even for the message.

@@ -5,6 +5,7 @@
 #include <QCoreApplication>
 #include <QDir>
 #include <QFile>
+#include <QFileInfo>
 #include <QSysInfo>
 
 #ifdef Q_OS_UNIX
@@ -116,8 +117,11 @@ std::unique_ptr<ProcessLock> processLock(const QString& path) {
 }
 
 void makePrivateFolder(const QString& folder) {
-    QDir().mkpath(folder);
-    QFile::setPermissions(folder, QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
+    constexpr auto owner = QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner;
+    const QString above = QFileInfo(folder).absolutePath();
+    if (!QFileInfo::exists(above) && above != folder) makePrivateFolder(above);
+    QDir().mkdir(folder, owner);
+    QFile::setPermissions(folder, owner);
 }
 
 } // namespace document

@@ -31,7 +31,8 @@ private:
 std::unique_ptr<ProcessLock> processLock(const QString& path);
 QString lockFileOf(const QString& path);
 
-// Creates the folder when it is missing; only its owner may enter it.
+// Creates the folder, and those above it, where they are missing; only its owner may enter it and what was
+// created.
 void makePrivateFolder(const QString& folder);
 
 } // namespace document

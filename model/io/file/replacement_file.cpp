@@ -10,8 +10,10 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cstdlib>
 #include <optional>
+#include <utility>
 
 #ifdef Q_OS_UNIX
 #include <cerrno>
@@ -120,6 +122,56 @@ QByteArray folderOf(const QByteArray& path) {
     return slash < 0 ? QByteArray(".") : slash == 0 ? QByteArray("/") : path.left(slash);
 }
 
+// The name of a file that is being written, for as long as it has one, in a place that lasts: the program may
+// end at any moment, and must not leave it behind.
+class PartName {
+public:
+    ~PartName() { clear(); }
+
+    bool isEmpty() const { return m_name.isEmpty(); }
+    const char* data() const { return m_name.constData(); }
+
+    PartName& operator=(const QByteArray& name) {
+        clear();
+        m_name = name;
+        for (Place& place : places()) {
+            if (isEmpty() || std::size_t(name.size()) >= place.name.size() || place.isTaken.exchange(true))
+                continue;
+            std::ranges::copy(name, place.name.begin());
+            place.name[std::size_t(name.size())] = 0;
+            place.isWritten = true;
+            m_place = &place;
+            break;
+        }
+        return *this;
+    }
+
+    static void unlinkAll() {
+        for (const Place& place : places())
+            if (place.isWritten) ::unlink(place.name.data());
+    }
+
+private:
+    struct Place {
+        std::atomic<bool> isTaken = false, isWritten = false;
+        std::array<char, 4096> name{};
+    };
+
+    static std::array<Place, 16>& places() {
+        static constinit std::array<Place, 16> places;
+        return places;
+    }
+
+    void clear() {
+        if (!m_place) return;
+        m_place->isWritten = false;
+        std::exchange(m_place, nullptr)->isTaken = false;
+    }
+
+    QByteArray m_name;
+    Place* m_place = nullptr;
+};
+
 constexpr char whole[] = ".barycage-";
 constexpr char part[] = ".barycage-part-"; // infix of a file being written
 
@@ -163,7 +215,7 @@ void removeAbandoned(const QByteArray& folder, int made) {
 }
 
 // Creates a file with a temporary name, locked for as long as it is open; negative when there is none.
-int createPart(const QByteArray& folder, int access, mode_t mode, QByteArray& name) {
+int createPart(const QByteArray& folder, int access, mode_t mode, PartName& name) {
     int file = -1;
     name = freeName(folder, part, [&](const QByteArray& candidate) {
         file = ::open(candidate.constData(), access | O_CREAT | O_EXCL | O_CLOEXEC, mode);
@@ -177,7 +229,7 @@ int createPart(const QByteArray& folder, int access, mode_t mode, QByteArray& na
 
 // Creates the replacement of `path` beside it; without a name where the system can do that, so that nothing
 // stays of it whatever ends the program. At no moment can others read what they may not.
-int createBeside(const QByteArray& folder, const QByteArray& path, QByteArray* name) {
+int createBeside(const QByteArray& folder, const QByteArray& path, PartName& name) {
     const mode_t mode = ::access(path.constData(), F_OK) == 0 ? 0600 : 0666; // permissions before the umask
     int file = -1;
 #ifdef O_TMPFILE
@@ -185,7 +237,7 @@ int createBeside(const QByteArray& folder, const QByteArray& path, QByteArray* n
     if (file >= 0 && ::access(linkOf(file).constData(), F_OK) == 0) return file;
     if (file >= 0) ::close(file);
 #endif
-    return createPart(folder, O_RDWR, mode, *name);
+    return createPart(folder, O_RDWR, mode, name);
 }
 
 bool copyAll(int from, int to) {
@@ -229,11 +281,11 @@ struct ReplacementFile::State {
     explicit State(const fs::path& path)
         : target(QByteArray::fromStdString(path.string())),
           folder(folderOf(target)),
-          file(createBeside(folder, target, &name)) {
+          file(createBeside(folder, target, name)) {
         error = file.isOpen() ? keepAttributes(file.number(), target) : errno;
     }
     ~State() {
-        if (!name.isEmpty() && !isRenamed) ::unlink(name.constData());
+        if (!name.isEmpty() && !isRenamed) ::unlink(name.data());
     }
     State(const State&) = delete;
     State& operator=(const State&) = delete;
@@ -269,7 +321,7 @@ struct ReplacementFile::State {
 
     void replaceTarget() {
         isRenamed = ::fsync(file.number()) == 0 &&
-                    (becomesTarget() || (hasName() && ::rename(name.constData(), target.constData()) == 0));
+                    (becomesTarget() || (hasName() && ::rename(name.data(), target.constData()) == 0));
         error = isRenamed ? 0 : errno;
         // Syncs the folder, so that the name survives a power cut. Some file systems refuse; that is no
         // failure.
@@ -298,7 +350,7 @@ struct ReplacementFile::State {
     }
 
     QByteArray target, folder;
-    QByteArray name; // empty before naming
+    PartName name; // empty before naming
     Descriptor file;
     int error = 0; // error of the last call
     bool isRenamed = false;
@@ -327,6 +379,10 @@ bool ReplacementFile::replaceTarget() {
 
 bool isWritable(const fs::path& file) {
     return ::access(file.c_str(), W_OK) == 0;
+}
+
+void removeUnfinished() {
+    PartName::unlinkAll();
 }
 
 #else
@@ -371,6 +427,8 @@ bool ReplacementFile::replaceTarget() {
 bool isWritable(const fs::path& file) {
     return QFileInfo(decodedName(file)).isWritable();
 }
+
+void removeUnfinished() {}
 
 #endif
 

@@ -46,6 +46,10 @@ private:
     SystemError m_error;
 };
 
+// Before the program ends in the middle of its work: removes the files that are being written and have a name
+// already. Needs no memory and waits for nothing.
+void removeUnfinished();
+
 bool isWritable(const std::filesystem::path& file);
 
 } // namespace io

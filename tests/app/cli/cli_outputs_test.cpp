@@ -107,6 +107,9 @@ void CliOutputsTest::standardInputIsNotReplaced_data() {
     row("render - -o in.ifs --to png --size 9x9", 2);
     row("render - -o given.ifs --to png --size 9x9", 2);
     row("gallery - -o given.png", 2);
+    row("render in.ifs -o - --to png --size 9x9 1<>in.ifs", 2);
+    row("render in.ifs -o - --to png --size 9x9 1<>given.ifs", 2);
+    row("convert in.ifs - --to flame --entry one 1<>in.ifs", 1);
     row("convert - in.ifs --to flame", 1);
     row("convert - in.ifs --entry one", 1);
     row("convert - given.ifs --to csv --entry one", 1);
@@ -168,6 +171,8 @@ void CliOutputsTest::everyNameMakesAFile_data() {
     row("a\xe2\x80\xaez", QStringLiteral("a_z"));     // U+202E
     row("a\xe2\x80\x8bz", QStringLiteral("a_z"));     // U+200B
     row("a\xe2\x80\xa8z", QStringLiteral("a_z"));     // U+2028
+    row("\xef\xbf\xbd", QStringLiteral("_"));         // U+FFFD
+    row("\xe3\x85\xa4", QStringLiteral("_"));         // U+3164
     row("a\xf3\xa0\x81\x81z", QStringLiteral("a_z")); // U+E0041
     row(QByteArray("x").repeated(300), QString(u'x').repeated(251));
     row(QByteArray("\xc3\xa4").repeated(200), QString(QChar(0xe4)).repeated(125));

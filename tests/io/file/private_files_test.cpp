@@ -1,13 +1,36 @@
 // SPDX-License-Identifier: MIT
+#include "document/disk/process_lock.h"
+#include "io/file/replacement_file.h"
 #include "io/file/save_file.h"
 #include "support/named_test.h"
 #include "support/refusing_kernel.h"
 
+#include <QByteArrayView>
+#include <QDir>
 #include <QFile>
+#include <QFileInfo>
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <cerrno>
+#include <fcntl.h>
 #include <sys/stat.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+namespace {
+
+bool isProcMissing = false;
+
+} // namespace
+
+// Without /proc, a file needs a name from the start.
+extern "C" int access(const char* path, int mode) noexcept {
+    if (!isProcMissing || !QByteArrayView(path).startsWith("/proc/"))
+        return int(::syscall(SYS_faccessat, AT_FDCWD, path, mode));
+    errno = ENOENT;
+    return -1;
+}
 
 // What replaces a file that others may not read is theirs at no moment, not even before it has its
 // permissions.
@@ -43,6 +66,31 @@ private slots:
         const QTemporaryDir folder;
         QCOMPARE(io::saveFile(folder.filePath(QStringLiteral("b.ifs")), "new"), io::Failure());
         QCOMPARE(support::permissionsOfNewFiles, 0666U);
+    }
+    // Nor does anything of it stay when the program is interrupted.
+    void anEndLeavesNoHalves() {
+        const QTemporaryDir folder;
+        const auto names = [&folder] {
+            return QDir(folder.path()).entryList(QDir::Files | QDir::Hidden).join(u' ');
+        };
+        const QString path = folder.filePath(QStringLiteral("a.ifs"));
+        isProcMissing = true;
+        io::ReplacementFile file(QFile::encodeName(path).toStdString());
+        isProcMissing = false;
+        QVERIFY(file.write(0, "new", 3));
+        QVERIFY2(names().startsWith(QStringLiteral(".barycage-part-")), qPrintable(names()));
+        io::removeUnfinished();
+        QCOMPARE(names(), QString());
+    }
+    // The folders of the program, those above included, where the user gives others everything.
+    void foldersAreOfTheirOwner() {
+        const QTemporaryDir folder;
+        document::makePrivateFolder(folder.filePath(QStringLiteral("share/Barycage/recovery")));
+        for (const char* name : {"share", "share/Barycage", "share/Barycage/recovery"}) {
+            struct stat status {};
+            QCOMPARE(::stat(QFile::encodeName(folder.filePath(QLatin1String(name))).constData(), &status), 0);
+            QCOMPARE(status.st_mode & 0777U, 0700U);
+        }
     }
 
 private:
