@@ -13,4 +13,9 @@ void forgetFilesRead();
 // Throws UsageError when the output is one of these files, by whatever name.
 void refuseToReplaceInput(const QString& output);
 
+// The files that this call has written are not replaced by what it writes under other names, through links.
+void noteWritten(const QString& output);
+// Throws UsageError when the output leads to one of these files.
+void refuseToReplaceOutput(const QString& output);
+
 } // namespace cli

@@ -29,6 +29,7 @@ void warnAboutLinks(const QString& output, int otherNames) {
 
 ExitStatus writeOutput(const QString& output, const QByteArray& bytes, MayReplace what) {
     if (what != MayReplace::Inputs) refuseToReplaceInput(output);
+    refuseToReplaceOutput(output);
     const int linked = otherNames(output);
     io::Failure failure;
     if (!isStandardOutput(output))
@@ -36,6 +37,7 @@ ExitStatus writeOutput(const QString& output, const QByteArray& bytes, MayReplac
     else if (!print(bytes))
         failure = io::cannotPrint(errno);
     if (!failure) {
+        noteWritten(output);
         warnAboutLinks(output, linked);
         return ExitStatus::Done;
     }
@@ -52,9 +54,12 @@ io::ExportOutcome exportOutput(const io::Export& what, const QString& output, co
 io::ExportOutcome exportBy(const std::function<io::ExportOutcome(const QString& path)>& write,
                            const QString& output, MayReplace replaced) {
     if (replaced != MayReplace::Inputs) refuseToReplaceInput(output);
+    refuseToReplaceOutput(output);
     const int linked = otherNames(output);
     io::ExportOutcome outcome = write(isStandardOutput(output) ? io::standardOutputPath() : output);
-    if (!outcome.failure && !outcome.stopped) warnAboutLinks(output, linked);
+    if (outcome.failure || outcome.stopped) return outcome;
+    noteWritten(output);
+    warnAboutLinks(output, linked);
     return outcome;
 }
 

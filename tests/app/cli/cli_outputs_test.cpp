@@ -22,6 +22,7 @@ private slots:
     void standardInputIsNotReplaced_data();
     void standardInputIsNotReplaced();
     void noOutputReplacesAnother();
+    void noOutputReplacesAnotherThroughALink();
     void sumsAreReplacedByMore();
     void everyNameMakesAFile_data();
     void everyNameMakesAFile();
@@ -146,6 +147,23 @@ void CliOutputsTest::noOutputReplacesAnother() {
         QVERIFY2(result.status == 2 && result.err.contains("names the output"), result.err.constData());
     }
     QVERIFY(!QFile::exists(path("both.ifs")));
+}
+
+// Nor through links, which lead to it only once it is written.
+void CliOutputsTest::noOutputReplacesAnotherThroughALink() {
+    const QByteArray rows = " .5 0 0 .5 0 0 .5\n .5 0 0 .5 .5 0 .5\n}\n";
+    write("l.ifs", "left {\n" + rows + "right {\n" + rows);
+    QVERIFY(QFile::link(QStringLiteral("right.png"), path("left.png")));
+    const Result drawn = run("render l.ifs --entry all -o %e.png --size 9x9");
+    QVERIFY2(drawn.status == 2 && drawn.err.contains("has just been written"), drawn.err.constData());
+    QVERIFY(QDir(path("")).mkpath(QStringLiteral("tables")));
+    QFile::link(QStringLiteral("l-right.csv"), path("tables/l-left.csv"));
+    const Result converted = run("convert l.ifs tables/ --to csv");
+    QVERIFY2(converted.status == 2 && converted.err.contains("has just been written"),
+             converted.err.constData());
+    // The same name is written again and again while a picture gets better.
+    QCOMPARE(run("render l.ifs --entry left -o once.png --size 9x9 --points 3k").status, 0);
+    QCOMPARE(run("render l.ifs --entry left -o once.png --size 9x9 --points 3k").status, 0);
 }
 
 void CliOutputsTest::sumsAreReplacedByMore() {
