@@ -330,6 +330,8 @@ void HostileFilesTest::nestedListsTakeNoLonger_data() {
     repeated("spaces with open brackets", "\\begin{pmatrix}\\hspace[", 50'000);
     repeated("environments with open braces", "\\begin{tabularx}{{", 50'000);
     repeated("words", "- ", 500'000, "1");
+    repeated("cells with open brackets", "(1 2", 100'000);
+    repeated("sums that end early", "1+ ", 100'000);
     QTest::newRow("links of a wiki") << "{|\n|" + QByteArray("[[").repeated(200'000);
     QTest::newRow("formulas of a wiki") << "{|\n|" + QByteArray("<math>").repeated(100'000);
 }

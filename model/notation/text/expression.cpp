@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <numbers>
@@ -349,9 +350,20 @@ std::size_t countCharacters(std::string_view text) {
     return std::size_t(std::ranges::count_if(text, [](char c) { return (c & 0xc0) != 0x80; }));
 }
 
+// Whether each bracket has its other half, and no operator is alone at the end. The parser would throw, which
+// takes microseconds for each cell of a large file.
+bool isWhole(std::string_view text) {
+    std::ptrdiff_t open = 0;
+    for (std::size_t i = 0; i < text.size() && open >= 0; ++i)
+        open += (text[i] == '(') - (text[i] == ')');
+    const auto last = text.find_last_not_of(" \t");
+    return open == 0 && last != text.npos && std::string_view("+-*/^(,").find(text[last]) == text.npos;
+}
+
 // Whether all its words are known and there is something to work out: anything else is no matter for the
 // parser.
 bool isPossible(std::string_view text) {
+    if (!isWhole(text)) return false;
     bool hasValue = false;
     for (std::size_t i = 0; i < text.size();) {
         const bool isDigit = text[i] >= '0' && text[i] <= '9';
