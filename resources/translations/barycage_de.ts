@@ -6804,6 +6804,14 @@
         <source>SVG: a page with the picture</source>
         <translation>SVG: eine Seite mit dem Bild</translation>
     </message>
+    <message>
+        <source>There is not enough memory for the video.</source>
+        <translation>Der Speicher reicht für das Video nicht aus.</translation>
+    </message>
+    <message>
+        <source>The encoder of the video does not work. There may not be enough memory for it.</source>
+        <translation>Der Encoder des Videos arbeitet nicht. Vielleicht reicht der Speicher dafür nicht aus.</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -6958,10 +6966,6 @@
         <translation>Für ein Einzelbild des Videos reicht der Speicher nicht.</translation>
     </message>
     <message>
-        <source>The palette of the GIF cannot be created.</source>
-        <translation>Die Palette des GIF kann nicht erstellt werden.</translation>
-    </message>
-    <message>
         <source>A frame of the GIF cannot be created.</source>
         <translation>Ein Einzelbild des GIF kann nicht erstellt werden.</translation>
     </message>
@@ -6980,6 +6984,10 @@
     <message>
         <source>This build of Barycage does not include FFmpeg&apos;s libraries and cannot write videos. Write the frames as PNG pictures instead.</source>
         <translation>Dieses Barycage wurde ohne die Bibliotheken von FFmpeg gebaut und schreibt keine Videos. Schreiben Sie die Einzelbilder stattdessen als PNG-Bilder.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for the palette of the GIF.</source>
+        <translation>Der Speicher reicht für die Palette des GIF nicht aus.</translation>
     </message>
 </context>
 <context>

@@ -6804,6 +6804,14 @@
         <source>SVG: a page with the picture</source>
         <translation>SVG: una página con la imagen</translation>
     </message>
+    <message>
+        <source>There is not enough memory for the video.</source>
+        <translation>No hay suficiente memoria para el vídeo.</translation>
+    </message>
+    <message>
+        <source>The encoder of the video does not work. There may not be enough memory for it.</source>
+        <translation>El codificador del vídeo no funciona. Puede que no haya suficiente memoria para él.</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -6958,10 +6966,6 @@
         <translation>No hay memoria suficiente para un fotograma del vídeo.</translation>
     </message>
     <message>
-        <source>The palette of the GIF cannot be created.</source>
-        <translation>No se puede crear la paleta del GIF.</translation>
-    </message>
-    <message>
         <source>A frame of the GIF cannot be created.</source>
         <translation>No se puede crear un fotograma del GIF.</translation>
     </message>
@@ -6980,6 +6984,10 @@
     <message>
         <source>This build of Barycage does not include FFmpeg&apos;s libraries and cannot write videos. Write the frames as PNG pictures instead.</source>
         <translation>Este Barycage se compiló sin las bibliotecas de FFmpeg y no escribe vídeos. Escriba los fotogramas como imágenes PNG.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for the palette of the GIF.</source>
+        <translation>No hay suficiente memoria para la paleta del GIF.</translation>
     </message>
 </context>
 <context>

@@ -6804,6 +6804,14 @@
         <source>SVG: a page with the picture</source>
         <translation>SVG : une page avec l’image</translation>
     </message>
+    <message>
+        <source>There is not enough memory for the video.</source>
+        <translation>La mémoire ne suffit pas pour la vidéo.</translation>
+    </message>
+    <message>
+        <source>The encoder of the video does not work. There may not be enough memory for it.</source>
+        <translation>L’encodeur de la vidéo ne fonctionne pas. La mémoire ne lui suffit peut-être pas.</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -6958,10 +6966,6 @@
         <translation>La mémoire ne suffit pas pour une image de la vidéo.</translation>
     </message>
     <message>
-        <source>The palette of the GIF cannot be created.</source>
-        <translation>La palette du GIF ne peut pas être créée.</translation>
-    </message>
-    <message>
         <source>A frame of the GIF cannot be created.</source>
         <translation>Une image du GIF ne peut pas être créée.</translation>
     </message>
@@ -6980,6 +6984,10 @@
     <message>
         <source>This build of Barycage does not include FFmpeg&apos;s libraries and cannot write videos. Write the frames as PNG pictures instead.</source>
         <translation>Ce Barycage a été compilé sans les bibliothèques de FFmpeg et n’écrit pas de vidéos. Écrivez plutôt les images en PNG.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for the palette of the GIF.</source>
+        <translation>La mémoire ne suffit pas pour la palette du GIF.</translation>
     </message>
 </context>
 <context>

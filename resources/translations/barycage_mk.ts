@@ -6819,6 +6819,14 @@
         <source>SVG: a page with the picture</source>
         <translation>SVG: страница со сликата</translation>
     </message>
+    <message>
+        <source>There is not enough memory for the video.</source>
+        <translation>Нема доволно меморија за видеото.</translation>
+    </message>
+    <message>
+        <source>The encoder of the video does not work. There may not be enough memory for it.</source>
+        <translation>Кодерот на видеото не работи. Можеби нема доволно меморија за него.</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -6973,10 +6981,6 @@
         <translation>Нема доволно меморија за кадар од видеото.</translation>
     </message>
     <message>
-        <source>The palette of the GIF cannot be created.</source>
-        <translation>Палетата на GIF-от не може да се направи.</translation>
-    </message>
-    <message>
         <source>A frame of the GIF cannot be created.</source>
         <translation>Кадар од GIF-от не може да се направи.</translation>
     </message>
@@ -6995,6 +6999,10 @@
     <message>
         <source>This build of Barycage does not include FFmpeg&apos;s libraries and cannot write videos. Write the frames as PNG pictures instead.</source>
         <translation>Овој Barycage е изграден без библиотеките на FFmpeg и не запишува видеа. Запишете ги кадрите како PNG-слики.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for the palette of the GIF.</source>
+        <translation>Нема доволно меморија за палетата на GIF-от.</translation>
     </message>
 </context>
 <context>

@@ -165,11 +165,11 @@ libav::Frame VideoWriter::State::paletteOfAll(const Course& course) {
         const QImage image = spool->read(index);
         const libav::Frame picture = image.isNull() ? nullptr : pictureOf(image, settings);
         if (picture && maker.add(picture)) continue;
-        failure = VideoTexts::tr("The palette of the GIF cannot be created.");
+        failure = VideoTexts::tr("There is not enough memory for the palette of the GIF.");
         return {};
     }
     libav::Frame palette = maker.finish();
-    if (!palette) failure = VideoTexts::tr("The palette of the GIF cannot be created.");
+    if (!palette) failure = VideoTexts::tr("There is not enough memory for the palette of the GIF.");
     return palette;
 }
 

@@ -159,6 +159,9 @@ QByteArray commentOf(const QByteArray& systemText) {
 
 Failure encoderObstacle(VideoFormat format) {
     const QString error = isInstalled() ? QString() : loadingError();
+    // What the loader says of both kinds of memory.
+    if (error.contains(QStringLiteral("failed to map")) || error.contains(QStringLiteral("cannot allocate")))
+        return Text::tr("There is not enough memory for the video.");
     if (!error.isEmpty())
         return Text::tr("FFmpeg's libraries cannot be loaded, so no videos can be written: %1.").arg(error);
     if (!isInstalled())
@@ -183,9 +186,15 @@ Encoder::Encoder(QIODevice& device, const VideoSettings& settings)
 
 bool Encoder::isDone(int result) {
     if (result >= 0) return true;
+    if (m_failure) return false;
     std::array<char, AV_ERROR_MAX_STRING_SIZE> text{};
     library().av_strerror(result, text.data(), text.size());
-    if (!m_failure)
+    if (result == AVERROR(ENOMEM))
+        m_failure = Text::tr("There is not enough memory for the video.");
+    else if (result == AVERROR_EXTERNAL) // all that encoders say when they get no memory
+        m_failure =
+            Text::tr("The encoder of the video does not work. There may not be enough memory for it.");
+    else
         m_failure = Text::tr("The video cannot be written: %1.").arg(QString::fromUtf8(text.data()));
     return false;
 }
