@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "io/file/replacement_file.h"
+#include "options/exit_status.h"
 #include "process/short_memory.h"
 #include "run.h"
 
@@ -21,7 +23,10 @@ void silenceLibraries() {
         // Qt would continue, and wait for ever for the work of a thread that the system did not start.
         if (text.startsWith(u"QThread::start: Thread creation error")) std::_Exit(cli::memoryIsShort());
         if (type != QtFatalMsg) return;
+        // Such as no more open files; Qt would abort.
         std::fprintf(stderr, "barycage-cli: error: %s\n", qPrintable(text));
+        io::removeUnfinished();
+        std::_Exit(int(cli::ExitStatus::CannotReadOrWrite));
     });
 }
 

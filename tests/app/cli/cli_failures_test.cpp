@@ -26,6 +26,7 @@ private slots:
     void noThreadIsWaitedFor_data();
     void noThreadIsWaitedFor();
     void startsWithoutMemory();
+    void fewOpenFilesEndNothingSuddenly();
     void everyFrameIsReadOrSaid();
     void everyFileIsOldOrNew_data();
     void everyFileIsOldOrNew();
@@ -186,6 +187,32 @@ void CliFailuresTest::noThreadIsWaitedFor() {
 }
 
 // A limit on memory ends the program with a sentence, from where its libraries are loaded on.
+// Qt would abort where it cannot open a pipe or find its platform.
+void CliFailuresTest::fewOpenFilesEndNothingSuddenly() {
+    const QString line =
+        QStringLiteral("ulimit -c 0; ulimit -n %1; cd '%2'; exec %3 gallery few.ifs -o few.png --tile 40x40");
+    QTemporaryDir folder;
+    QFile file(folder.filePath(QStringLiteral("few.ifs")));
+    QVERIFY(file.open(QIODevice::WriteOnly) &&
+            file.write("a {\n .5 0 0 .5 0 0 .5\n .5 0 0 .5 .5 0 .5\n}\n") > 0);
+    file.close();
+    constexpr int notLoaded = 127;
+    int done = 0;
+    for (int limit = 4; done == 0 && limit < 100; ++limit) {
+        QProcess process;
+        process.start(QStringLiteral("sh"),
+                      {QStringLiteral("-c"), line.arg(QString::number(limit), folder.path(),
+                                                      support::buildPath(QStringLiteral("barycage-cli")))});
+        QVERIFY(process.waitForFinished(60'000));
+        const QByteArray said = QByteArray::number(limit) + ": " + process.readAllStandardError();
+        QVERIFY2(process.exitStatus() == QProcess::NormalExit, said.constData());
+        const int status = process.exitCode();
+        QVERIFY2(status == 0 || status == 1 || status == 3 || status == notLoaded, said.constData());
+        done += status == 0;
+    }
+    QVERIFY(done > 0);
+}
+
 void CliFailuresTest::startsWithoutMemory() {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
     QSKIP("The sanitizers need more memory than that.");
