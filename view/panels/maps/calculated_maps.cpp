@@ -47,7 +47,7 @@ template std::optional<ifs::AffineMap<3>> effectiveMap(const ifs::AffineMap<3>&,
 template <int Dim> ifs::AffineMap<Dim> withoutResidue(const ifs::AffineMap<Dim>& map, double reach) {
     ifs::AffineMap<Dim> cleaned = map;
     clean(cleaned.linear, largest(map.linear));
-    clean(cleaned.translation, std::max(reach, largest(map.translation)));
+    clean(cleaned.translation, std::max({reach, largest(map.translation), largest(map.linear)}));
     return cleaned;
 }
 template ifs::AffineMap<2> withoutResidue(const ifs::AffineMap<2>& map, double reach);

@@ -19,7 +19,8 @@ std::optional<ifs::AffineMap<Dim>> effectiveMap(const ifs::AffineMap<Dim>& displ
                                                 const ifs::AffineMap<Dim>& map);
 
 // The map with 0 where rounding has left −3.5e−18 of it. `reach` is the size of the numbers from which the
-// translation was calculated, if that is larger than its own.
+// translation was calculated, if that is larger than its own and that of the linear part, which has moved a
+// point of a picture of size 1.
 template <int Dim> ifs::AffineMap<Dim> withoutResidue(const ifs::AffineMap<Dim>& map, double reach = 0);
 
 } // namespace view

@@ -3,7 +3,9 @@
 
 #include "document/edits/maps/map_locks.h"
 #include "document/maps/map_names.h"
+#include "document/moments/animated_fractal.h"
 #include "io/text/typed_coefficient.h"
+#include "panels/maps/calculated_maps.h"
 #include "panels/maps/map_blend_row.h"
 #include "panels/maps/maps_model.h"
 #include "panels/maps/maps_texts.h"
@@ -186,8 +188,11 @@ template <int Dim> void MapShapeEditor::show(const ifs::IteratedFunctionSystem<D
     };
     for (std::size_t part = 0; part < shape.parts().size(); ++part)
         showPart(int(part), shape.parts()[part]);
+    // As in the table.
+    const bool isMoving = document::animationFacts(m_document->entryFractal()).has_value();
+    const auto shift = isMoving ? withoutResidue<Dim>(map.map).translation : map.map.translation;
     for (int k = 0; k < Dim; ++k)
-        showPart(form.firstTranslation + k, map.map.translation[k]);
+        showPart(form.firstTranslation + k, shift[k]);
 }
 
 // A translation is a number of the table, too, and is written in both places as it was typed in one.

@@ -23,6 +23,7 @@ constexpr int eye = 22;
 constexpr int lock = 18;
 constexpr int picture = 36;
 constexpr int shortestName = 48, longestName = 110;
+constexpr int leastDecimals = 2;          // a coefficient is rarely larger than 1
 constexpr double narrowestFigures = 0.72; // share of the usual width
 
 // Digits that must be shown are drawn narrower, as in a drag, rather than left out of sight; the gaps between
@@ -81,12 +82,12 @@ void MapsColumns::fit() {
     std::iota(code.begin(), code.end(), int(MapsModel::A));
     std::vector<int> widths(code.size());
     int decimals = maxDecimals;
-    for (; decimals >= 0; --decimals) {
+    for (; decimals >= leastDecimals; --decimals) {
         m_model->limitDecimals(decimals);
         std::ranges::transform(code, widths.begin(), [this](int column) { return widthOf(column); });
         if (std::accumulate(widths.begin(), widths.end(), 0) <= room) break;
     }
-    if (decimals < 0) squeeze(widths, room);
+    if (decimals < leastDecimals) squeeze(widths, room);
     // Remaining width: for longer names if all digits are there, then for numbers that appear in a drag.
     int left = std::max(0, room - std::accumulate(widths.begin(), widths.end(), 0));
     if (isNamed) {

@@ -46,8 +46,7 @@ QString fitting(double value, const QFontMetrics& metrics, int width) {
 
 // Paints a number in the middle of a drag, when columns keep their widths: the figures become narrower before
 // any is left out.
-void paintFitting(QPainter& painter, const QRect& area, double value) {
-    const QString text = fitting(value, painter.fontMetrics(), area.width());
+void paintNarrowed(QPainter& painter, const QRect& area, const QString& text) {
     const int wide = painter.fontMetrics().horizontalAdvance(text);
     painter.translate(area.right() + 1, 0);
     painter.scale(std::min(1.0, double(area.width()) / std::max(1, wide)), 1);
@@ -274,8 +273,12 @@ void MapsDelegate::paintNumber(QPainter& painter, const QStyleOptionViewItem& op
     const int fraction = fractionWidth(option.fontMetrics, decimals);
     const QRect whole = inside.adjusted(0, 0, -fraction, 0);
     const NumberParts parts = split(text);
-    if (option.fontMetrics.horizontalAdvance(parts.whole) > whole.width())
-        return paintFitting(painter, inside, index.data(Qt::EditRole).toDouble());
+    if (option.fontMetrics.horizontalAdvance(parts.whole) > whole.width() ||
+        option.fontMetrics.horizontalAdvance(parts.fraction) > fraction)
+        return paintNarrowed(painter, inside,
+                             m_model->isMoving() ? text // whose decimals stay
+                                                 : fitting(index.data(Qt::EditRole).toDouble(),
+                                                           option.fontMetrics, inside.width()));
     painter.drawText(whole, Qt::AlignRight | Qt::AlignVCenter | Qt::TextDontClip, parts.whole);
     painter.drawText(QRect(whole.right() + 1, inside.top(), fraction + numberMargin, inside.height()),
                      Qt::AlignLeft | Qt::AlignVCenter | Qt::TextDontClip, parts.fraction);

@@ -74,7 +74,8 @@ public:
     QString typedText(const QModelIndex& index) const;
     void cancelEdit() { m_edit.cancel(); }
 
-    void limitDecimals(int decimals); // most decimals shown for code and weights
+    bool isMoving() const { return m_isMoving; } // true: the numbers are those of a moment
+    void limitDecimals(int decimals);            // most decimals shown for code and weights
     // Why the cell cannot be edited, as a sentence; empty where it can, and where nothing could be in any
     // row.
     QString editObstacle(const QModelIndex& index) const;
