@@ -11,6 +11,7 @@
 #include "widgets/icon.h"
 
 #include <QDockWidget>
+#include <QEvent>
 
 AnimationMenu::AnimationMenu(const MenuContext& context, view::TimelinePanel* panel)
     : ActionMenu(context, tr("&Animation")), m_panel(panel) {
@@ -19,7 +20,7 @@ AnimationMenu::AnimationMenu(const MenuContext& context, view::TimelinePanel* pa
             showDock();
             m_panel->trackView()->setFocus();
         } else {
-            m_dock->hide();
+            m_dock->close();
         }
     });
     m_animate->setCheckable(true);
@@ -43,7 +44,14 @@ AnimationMenu::AnimationMenu(const MenuContext& context, view::TimelinePanel* pa
 void AnimationMenu::setDock(QDockWidget* dock) {
     m_dock = dock;
     m_animate->setChecked(!dock->isHidden());
+    dock->installEventFilter(this);
     connect(dock->toggleViewAction(), &QAction::toggled, m_animate, &QAction::setChecked);
+}
+
+// Nothing plays on whose controls somebody has put away.
+bool AnimationMenu::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == m_dock && event->type() == QEvent::Close) m_panel->timeline().playback().setPlaying(false);
+    return ActionMenu::eventFilter(watched, event);
 }
 
 void AnimationMenu::showDock() {

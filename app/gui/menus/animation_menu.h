@@ -20,6 +20,7 @@ public:
     void showDock();
 
 private:
+    bool eventFilter(QObject* watched, QEvent* event) override;
     void addPlaying();
     void addKeys();
 

@@ -30,6 +30,7 @@ PictureOverlay overlayOf(const LessonState& state) {
     PictureOverlay overlay;
     const bool showsMaps = state.tool == document::LessonTool::Maps;
     overlay.cage = overlay.isCageInked = state.showsCage;
+    overlay.showsRest = false; // as on the canvas
     overlay.maps = state.showsCage && showsMaps;
     overlay.numbers = state.showsMapNumbers || overlay.maps;
     overlay.hull = state.outlines.contains(document::Outline::Hull);

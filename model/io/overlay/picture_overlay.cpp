@@ -38,9 +38,11 @@ public:
         if (overlay.maps || overlay.fixedPoints || overlay.numbers) findMaps(fractal, faces);
         if (overlay.maps) std::ranges::for_each(m_maps, [this](const Map& map) { addMap(map); });
         if (overlay.hull) addHull(fractal);
-        if (overlay.cage)
-            std::ranges::move(cageMarks(fractal, camera, overlay.isCageInked ? m_ink : cageColour()),
-                              std::back_inserter(m_marks));
+        if (overlay.cage) {
+            OverlayMarks cage = cageMarks(fractal, camera, overlay.isCageInked ? m_ink : cageColour());
+            if (!overlay.showsRest) cage.erase(cage.begin(), cage.end() - 1);
+            std::ranges::move(cage, std::back_inserter(m_marks));
+        }
         for (const Map& map : m_maps)
             if (overlay.fixedPoints && map.hasFixedPoint) addFixedPoint(map);
         for (const Map& map : m_maps)
@@ -181,7 +183,7 @@ std::vector<ifs::Vector<2>> overlayPoints(const document::Fractal& fractal, cons
     const auto add = [&points](const std::vector<ifs::Vector<2>>& more) {
         points.insert(points.end(), more.begin(), more.end());
     };
-    if (overlay.cage) add(cage.rest);
+    if (overlay.cage && overlay.showsRest) add(cage.rest);
     const document::MapHandles maps(std::make_shared<document::Fractal>(fractal), cage);
     for (std::size_t i = 0; overlay.maps && i < maps.count(); ++i)
         add(maps.outline(i));

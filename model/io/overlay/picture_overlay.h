@@ -20,9 +20,10 @@ namespace io {
 struct PictureOverlay {
     bool maps = false;        // image of the cage under each map, in the map's colour
     bool hull = false;        // convex hull of the attractor
-    bool cage = false;        // current polygon, and the rest polygon dashed where it differs
+    bool cage = false;        // current polygon
     bool fixedPoints = false; // fixed points of the maps
     bool numbers = false;     // numbers of the maps, each in its image of the cage
+    bool showsRest = true;    // with the cage: the rest polygon, dashed, where it differs
     bool isCageInked = false; // cage in the ink of the hull, since a map may have the colour of the cage
 
     friend bool operator==(const PictureOverlay&, const PictureOverlay&) = default;

@@ -25,6 +25,8 @@ class OpenedMotionTest : public WindowFixture {
 
 private slots:
     void anEntryThatMovesPlays();
+    void withoutItsTimelineItRests_data();
+    void withoutItsTimelineItRests();
     void reducedMotionShowsAStillFrame();
     void undoBringsItBackAtRest();
     void itIsFittedToItsWholeMotion();
@@ -59,6 +61,27 @@ void OpenedMotionTest::anEntryThatMovesPlays() {
     QTRY_VERIFY(!(document().moment() == animation::moment(0)));
     document().setCurrent(document().file().entries.front().id);
     QVERIFY(!playback().isPlaying());
+}
+
+void OpenedMotionTest::withoutItsTimelineItRests_data() {
+    QTest::addColumn<bool>("byTheToolBar");
+    QTest::newRow("the button in the tool bar") << true;
+    QTest::newRow("the cross of the panel") << false;
+}
+
+void OpenedMotionTest::withoutItsTimelineItRests() {
+    QFETCH(bool, byTheToolBar);
+    document().setFile(twoEntries());
+    document().setCurrent(document().file().entries.back().id);
+    QTRY_VERIFY(playback().isPlaying());
+    if (byTheToolBar)
+        m_window->findChild<QAction*>(QStringLiteral("animate"))->trigger();
+    else
+        dock().close();
+    QVERIFY(dock().isHidden());
+    QVERIFY(!playback().isPlaying());
+    playback().setPlaying(true); // Space on the canvas
+    QVERIFY(playback().isPlaying());
 }
 
 void OpenedMotionTest::reducedMotionShowsAStillFrame() {

@@ -93,6 +93,18 @@ private slots:
         QVERIFY(cage.current != document::effectiveCage(atTheMoment).current);
     }
 
+    // As on the canvas, which does not show where the cage was before.
+    void theCageAtRestIsNotDrawn() {
+        document::Fractal dragged = triangle();
+        document::plane(dragged)->cage = document::effectiveCage(dragged);
+        for (auto& corner : document::plane(dragged)->cage->current)
+            corner *= 0.25;
+        const auto baked = document::baked(dragged);
+        QVERIFY(baked);
+        const LessonState state;
+        QVERIFY(io::lessonPicture(dragged, state, size) == io::lessonPicture(*baked, state, size));
+    }
+
     // A picture stands still: a game that has just begun would show nothing.
     void aGameThatRunsHasBeenPlayed() {
         LessonState state = plain();

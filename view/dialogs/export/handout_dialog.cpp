@@ -177,12 +177,15 @@ io::PlaneExport handoutPicture(const document::Fractal& fractal, const HandoutOp
     }
     if (options.showsMaps) {
         const ifs::ControlCage<2> cage = document::effectiveCage(fractal);
-        const auto include = [&](const ifs::AffineMap<2>& map) {
-            for (const ifs::Vector<2>& corner : cage.current) {
-                low = low.cwiseMin(map(corner));
-                high = high.cwiseMax(map(corner));
-            }
+        const auto take = [&](const ifs::Vector<2>& corner) {
+            low = low.cwiseMin(corner);
+            high = high.cwiseMax(corner);
         };
+        const auto include = [&](const ifs::AffineMap<2>& map) {
+            for (const ifs::Vector<2>& corner : cage.current)
+                take(map(corner));
+        };
+        std::ranges::for_each(cage.rest, take); // dashed, if it was dragged
         include({});
         if (const auto displayed = document::effectiveSystem(fractal))
             for (const auto& map : displayed->maps)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dialogs/export/handout_dialog.h"
 #include "dialogs/export/handout_page.h"
+#include "document/fractal/fractal_geometry.h"
 #include "document/fractal/space_geometry.h"
 #include "support/choose.h"
 #include "support/named_test.h"
@@ -354,6 +355,18 @@ private slots:
         QVERIFY(coloured(with.overlay) < coloured(maps));
         QVERIFY(with.request.appearance.background.alpha == 255);
         QVERIFY(with.request.appearance.background.red > 200); // paper
+        // Dashed, where it was before it was dragged.
+        document::Fractal dragged = fractal;
+        document::plane(dragged)->cage = document::effectiveCage(fractal);
+        document::plane(dragged)->cage->current[0] *= 0.25;
+        document::plane(dragged)->cage->current[1] *= 0.25;
+        document::plane(dragged)->cage->current[2] *= 0.25;
+        const io::PlaneExport placed = handoutPicture(dragged, {});
+        const attractor::Camera& camera = placed.request.camera;
+        for (const io::OverlayMark& mark : io::overlayMarks(placed.fractal, camera, placed.overlay))
+            if (!mark.dashes.isEmpty())
+                for (const QPointF& point : mark.polygon)
+                    QVERIFY(QRectF(0, 0, camera.width, camera.height).contains(point));
     }
 };
 
