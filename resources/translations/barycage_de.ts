@@ -12989,10 +12989,6 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Abwandlung %1</translation>
     </message>
     <message>
-        <source>The parent is in the middle, its variations are around it. Click one, or press Enter on it, to make it the new parent. Double-click one to use it at once.</source>
-        <translation>In der Mitte ist das Elternbild, ringsum sind seine Abwandlungen. Klicken Sie auf eine oder drücken Sie darauf die Eingabetaste, um sie zum neuen Elternbild zu machen. Ein Doppelklick verwendet sie sofort.</translation>
-    </message>
-    <message>
         <source>The fractal in the middle replaces the one that you began with, in one step that you can undo.</source>
         <translation>Das Fraktal in der Mitte ersetzt das, mit dem Sie begonnen haben, in einem Schritt, den Sie rückgängig machen können.</translation>
     </message>
@@ -13105,10 +13101,6 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Elternbild: Generation %1</translation>
     </message>
     <message>
-        <source>Click a picture to make it the new parent.</source>
-        <translation>Klicken Sie auf ein Bild, um es zum neuen Elternbild zu machen.</translation>
-    </message>
-    <message>
         <source>Nothing may change, so there are no variations. Tick at least one of the checkboxes.</source>
         <translation>Nichts darf sich ändern, also gibt es keine Abwandlungen. Kreuzen Sie mindestens ein Kästchen an.</translation>
     </message>
@@ -13123,6 +13115,14 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>Use a variation</source>
         <translation>Abwandlung übernehmen</translation>
+    </message>
+    <message>
+        <source>Around the picture in the middle are its variations. Click one, or press Enter on it, to put it in the middle. Double-click one to use it at once.</source>
+        <translation>Rings um das Bild in der Mitte sind seine Abwandlungen. Klicken Sie auf eine oder drücken Sie darauf die Eingabetaste, um sie in die Mitte zu nehmen. Ein Doppelklick verwendet sie sofort.</translation>
+    </message>
+    <message>
+        <source>Click a picture to put it in the middle, with variations of its own around it.</source>
+        <translation>Klicken Sie auf ein Bild, um es mit eigenen Abwandlungen ringsum in die Mitte zu nehmen.</translation>
     </message>
 </context>
 <context>
@@ -16475,7 +16475,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     </message>
     <message>
         <source>fps:</source>
-        <translation>B/s:</translation>
+        <translation>Bilder/s:</translation>
     </message>
     <message>
         <source>Loop:</source>
@@ -16508,7 +16508,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     </message>
     <message>
         <source>%1 fps</source>
-        <translation>%1 B/s</translation>
+        <translation>%1 Bilder/s</translation>
     </message>
     <message>
         <source>The number of frames drawn per second during playback</source>

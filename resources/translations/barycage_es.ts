@@ -12989,10 +12989,6 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Variación %1</translation>
     </message>
     <message>
-        <source>The parent is in the middle, its variations are around it. Click one, or press Enter on it, to make it the new parent. Double-click one to use it at once.</source>
-        <translation>El progenitor está en el centro y sus variaciones alrededor. Haga clic en una, o pulse Intro sobre ella, para convertirla en el nuevo progenitor. Con un doble clic se usa de inmediato.</translation>
-    </message>
-    <message>
         <source>The fractal in the middle replaces the one that you began with, in one step that you can undo.</source>
         <translation>El fractal del centro sustituye a aquel con el que empezó, en un solo paso que puede deshacer.</translation>
     </message>
@@ -13105,10 +13101,6 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Progenitor: generación %1</translation>
     </message>
     <message>
-        <source>Click a picture to make it the new parent.</source>
-        <translation>Haga clic en una imagen para convertirla en el nuevo progenitor.</translation>
-    </message>
-    <message>
         <source>Nothing may change, so there are no variations. Tick at least one of the checkboxes.</source>
         <translation>Nada puede cambiar: no hay variaciones. Marque al menos una casilla.</translation>
     </message>
@@ -13123,6 +13115,14 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>Use a variation</source>
         <translation>Usar una variación</translation>
+    </message>
+    <message>
+        <source>Around the picture in the middle are its variations. Click one, or press Enter on it, to put it in the middle. Double-click one to use it at once.</source>
+        <translation>Alrededor de la imagen del centro están sus variaciones. Haga clic en una, o pulse Intro sobre ella, para ponerla en el centro. Un doble clic la usa enseguida.</translation>
+    </message>
+    <message>
+        <source>Click a picture to put it in the middle, with variations of its own around it.</source>
+        <translation>Haga clic en una imagen para ponerla en el centro, rodeada de sus propias variaciones.</translation>
     </message>
 </context>
 <context>

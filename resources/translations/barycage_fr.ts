@@ -12989,10 +12989,6 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Variation %1</translation>
     </message>
     <message>
-        <source>The parent is in the middle, its variations are around it. Click one, or press Enter on it, to make it the new parent. Double-click one to use it at once.</source>
-        <translation>Le parent est au milieu, ses variations sont autour. Cliquez sur l’une d’elles, ou appuyez sur Entrée, pour en faire le nouveau parent. Un double-clic l’utilise aussitôt.</translation>
-    </message>
-    <message>
         <source>The fractal in the middle replaces the one that you began with, in one step that you can undo.</source>
         <translation>La fractale du milieu remplace celle du départ, en une seule étape que vous pouvez annuler.</translation>
     </message>
@@ -13105,10 +13101,6 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Parent&#x202f;: génération %1</translation>
     </message>
     <message>
-        <source>Click a picture to make it the new parent.</source>
-        <translation>Cliquez sur une image pour en faire le nouveau parent.</translation>
-    </message>
-    <message>
         <source>Nothing may change, so there are no variations. Tick at least one of the checkboxes.</source>
         <translation>Rien ne peut changer&#x202f;: il n’y a pas de variations. Cochez au moins une case.</translation>
     </message>
@@ -13123,6 +13115,14 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>Use a variation</source>
         <translation>Utiliser une variation</translation>
+    </message>
+    <message>
+        <source>Around the picture in the middle are its variations. Click one, or press Enter on it, to put it in the middle. Double-click one to use it at once.</source>
+        <translation>Autour de l’image du milieu se trouvent ses variations. Cliquez sur l’une d’elles, ou appuyez dessus sur Entrée, pour la mettre au milieu. Un double-clic l’utilise tout de suite.</translation>
+    </message>
+    <message>
+        <source>Click a picture to put it in the middle, with variations of its own around it.</source>
+        <translation>Cliquez sur une image pour la mettre au milieu, entourée de ses propres variations.</translation>
     </message>
 </context>
 <context>

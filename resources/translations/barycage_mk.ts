@@ -13021,10 +13021,6 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Варијанта %1</translation>
     </message>
     <message>
-        <source>The parent is in the middle, its variations are around it. Click one, or press Enter on it, to make it the new parent. Double-click one to use it at once.</source>
-        <translation>Родителот е во средината, а варијантите се околу него. Кликнете на една, или притиснете Enter на неа, за да стане нов родител. Со двоен клик веднаш се употребува.</translation>
-    </message>
-    <message>
         <source>The fractal in the middle replaces the one that you began with, in one step that you can undo.</source>
         <translation>Фракталот во средината го заменува оној со кој почнавте, во еден чекор што може да се врати.</translation>
     </message>
@@ -13137,10 +13133,6 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Родител: генерација %1</translation>
     </message>
     <message>
-        <source>Click a picture to make it the new parent.</source>
-        <translation>Кликнете на слика за да стане нов родител.</translation>
-    </message>
-    <message>
         <source>Nothing may change, so there are no variations. Tick at least one of the checkboxes.</source>
         <translation>Ништо не смее да се менува: нема варијанти. Означете барем едно поле.</translation>
     </message>
@@ -13155,6 +13147,14 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>Use a variation</source>
         <translation>Користи варијанта</translation>
+    </message>
+    <message>
+        <source>Around the picture in the middle are its variations. Click one, or press Enter on it, to put it in the middle. Double-click one to use it at once.</source>
+        <translation>Околу сликата во средината се нејзините варијации. Кликнете на една, или притиснете Enter на неа, за да дојде во средината. Двоен клик веднаш ја користи.</translation>
+    </message>
+    <message>
+        <source>Click a picture to put it in the middle, with variations of its own around it.</source>
+        <translation>Кликнете на слика за да дојде во средината, со свои варијации околу неа.</translation>
     </message>
 </context>
 <context>

@@ -53,9 +53,9 @@ MutateDialog::MutateDialog(document::Document* document, QWidget* parent, const 
     setWindowTitle(tr("Variations of “%1”").arg(titleText(middle()->name)));
     m_small->setSize(smallSide, devicePixelRatioF());
     m_ring->setAccessibleName(tr("Variations"));
-    m_ring->setWhatsThis(
-        tr("The parent is in the middle, its variations are around it. Click one, or press Enter "
-           "on it, to make it the new parent. Double-click one to use it at once."));
+    m_ring->setWhatsThis(tr("Around the picture in the middle are its variations. Click one, or press Enter "
+                            "on it, to put it in the "
+                            "middle. Double-click one to use it at once."));
     auto* columns = new QHBoxLayout;
     columns->addLayout(createLine());
     columns->addWidget(m_ring, 1);
@@ -348,7 +348,7 @@ void MutateDialog::follow() {
         m_hint->setText(tr("All maps are locked and keep their weights: the variations differ only in "
                            "colours and, occasionally, in an added map. Many look like their parent."));
     else
-        m_hint->setText(tr("Click a picture to make it the new parent."));
+        m_hint->setText(tr("Click a picture to put it in the middle, with variations of its own around it."));
 }
 
 void MutateDialog::accept() {
