@@ -280,7 +280,12 @@ void CommandPalette::filter(const QString& text) {
     }
     if (!text.trimmed().isEmpty()) addGuide(text.simplified());
     const bool hasNone = m_model->item(0) && !m_model->item(0)->data(actionRole).isValid();
-    m_list->setCurrentIndex(m_model->index(hasNone && m_model->rowCount() > 1 ? 1 : 0, 0));
+    int chosen = hasNone && m_model->rowCount() > 1 ? 1 : 0;
+    // A command that can be chosen, though another has more of the words in its name: Return does something.
+    for (int row = m_model->rowCount() - 1; row >= 0; --row)
+        if (m_model->item(row)->isEnabled() && m_model->item(row)->data(actionRole).toInt() != guideRow)
+            chosen = row;
+    m_list->setCurrentIndex(m_model->index(chosen, 0));
 }
 
 // Adds the last row, which always leads to the guide: it may explain words that name no command.

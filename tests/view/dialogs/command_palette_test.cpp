@@ -95,6 +95,20 @@ private slots:
                  QStringList({QStringLiteral("Vary Colours"), QStringLiteral("Mutate")}));
     }
 
+    void returnRunsWhatCanBeRun() {
+        QMenuBar bar;
+        QMenu* menu = bar.addMenu(QStringLiteral("&Animation"));
+        menu->addAction(QStringLiteral("&Play Lesson"))->setEnabled(false);
+        QAction* pause = menu->addAction(QStringLiteral("Pa&use"));
+        pause->setStatusTip(QStringLiteral("Play or stop the animation"));
+        QSignalSpy paused(pause, &QAction::triggered);
+        view::CommandPalette palette(view::actionsOf(&bar));
+        auto* search = palette.findChild<QLineEdit*>();
+        search->setText(QStringLiteral("play"));
+        QTest::keyClick(search, Qt::Key_Return);
+        QCOMPARE(paused.count(), 1);
+    }
+
     void theWholeNameComesFirst() {
         QMenuBar bar;
         QMenu* menu = bar.addMenu(QStringLiteral("&View"));
