@@ -24,8 +24,8 @@ Shortcuts usualShortcuts(const QAction& action);
 // Stores the keys of a command, or nullopt to return to its usual ones, and gives them to it in all windows.
 void setShortcuts(const QString& command, const std::optional<Shortcuts>& keys);
 
-// What to press for a command, for a sentence: the first of its keys, else its name in quotes. `usual` are the
-// keys where no window has the command.
+// What to press for a command, for a sentence: the first of its keys, else its name in quotes. `usual` are
+// the keys where no window has the command.
 QString toPress(const QString& command, const QKeySequence& usual);
 
 // Why a command cannot have these keys, which the canvas and the fields use themselves; else empty.

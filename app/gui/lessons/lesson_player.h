@@ -27,7 +27,7 @@ public:
     bool isPlaying() const { return m_isPlaying; }
     int step() const { return m_step; }
     const document::FractalFile& file() const { return m_file; } // at which every step starts
-    void showStep(int step); // ignores numbers out of range
+    void showStep(int step);                                     // ignores numbers out of range
 
 signals:
     void playingChanged(bool isPlaying);
