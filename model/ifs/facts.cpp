@@ -242,6 +242,11 @@ bool settleExtremePoints(Facts<2>& facts, const std::stop_token& stop) {
     return true;
 }
 
+// Of what is proved for the stored coefficients.
+template <int Dim> Certainty certaintyOf(const Facts<Dim>& facts) {
+    return facts.typed.empty() ? Certainty::Exact : Certainty::ToRounding;
+}
+
 // Pieces of a point are the point.
 template <int Dim> void findContactsOfPoint(const Facts<Dim>& facts, Invariants& result) {
     const auto& maps = facts.active.maps;
@@ -250,16 +255,12 @@ template <int Dim> void findContactsOfPoint(const Facts<Dim>& facts, Invariants&
     contacts.connectedness = Connectedness::Connected;
     result.contacts = contacts;
     result.openSet = openSetFacts<Dim>(maps, *result.contacts, nullptr);
+    settleByHull<Dim>(*result.openSet, *result.contacts, maps, std::nullopt, certaintyOf(facts));
 }
 
 bool isOpenSetOpen(const OpenSetFacts& known) {
     return known.condition == OpenSetCondition::Unknown ||
            (known.condition == OpenSetCondition::Holds && known.certainty == Certainty::ToRounding);
-}
-
-// Of what is proved for the stored coefficients.
-template <int Dim> Certainty certaintyOf(const Facts<Dim>& facts) {
-    return facts.typed.empty() ? Certainty::Exact : Certainty::ToRounding;
 }
 
 template <int Dim> void findSpectrum(const Facts<Dim>& facts, Invariants& result) {

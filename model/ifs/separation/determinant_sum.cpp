@@ -68,8 +68,12 @@ private:
 
 template <int Dim> std::optional<HullExcess> excessOnHull(std::span<const AffineMap<Dim>> maps) {
     const auto basis = hullBasis<Dim>(maps);
-    if (!basis || basis->directions.empty()) return std::nullopt;
+    if (!basis) return std::nullopt;
     HullExcess result{int(basis->directions.size())};
+    if (result.dimension == 0) { // all determinants are 1
+        result.value = double(maps.size()) - 1;
+        return result;
+    }
     if (result.dimension == Dim) {
         result.value = excessOfDeterminants<Dim>(maps).rounded();
         for (const auto& map : maps)

@@ -24,7 +24,7 @@ struct HullExcess {
     double rounding = 0;
 };
 
-// nullopt where the hull is a point.
+// nullopt where there is no map.
 template <int Dim> std::optional<HullExcess> excessOnHull(std::span<const AffineMap<Dim>> maps);
 
 } // namespace ifs
