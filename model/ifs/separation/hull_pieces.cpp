@@ -114,22 +114,30 @@ template <int Dim> std::vector<LineMaps> alongAxes(std::span<const AffineMap<Dim
     return result;
 }
 
-bool areDisjoint(const Interval& a, const Interval& b) {
-    return !isLess(a.low, b.high) || !isLess(b.low, a.high);
+// Returns true if any two images are apart along some axis.
+template <class Apart> bool areAllApart(const std::vector<LineImages>& axes, Apart areApart) {
+    const std::size_t count = axes.front().images.size();
+    for (std::size_t i = 0; i < count; ++i)
+        for (std::size_t j = i + 1; j < count; ++j)
+            if (std::ranges::none_of(
+                    axes, [&](const LineImages& axis) { return areApart(axis.images[i], axis.images[j]); }))
+                return false;
+    return true;
 }
 
 bool haveDisjointInsides(const std::vector<LineImages>& axes) {
-    const std::size_t count = axes.front().images.size();
-    for (std::size_t i = 0; i < count; ++i)
-        for (const LineImages& axis : axes)
-            if (!isLess(axis.images[i].low, axis.images[i].high)) return false;
-    for (std::size_t i = 0; i < count; ++i)
-        for (std::size_t j = i + 1; j < count; ++j)
-            if (std::ranges::none_of(axes, [i, j](const LineImages& axis) {
-                    return areDisjoint(axis.images[i], axis.images[j]);
-                }))
-                return false;
-    return true;
+    const auto isFlat = [](const Interval& image) { return !isLess(image.low, image.high); };
+    return std::ranges::none_of(
+               axes, [&](const LineImages& axis) { return std::ranges::any_of(axis.images, isFlat); }) &&
+           areAllApart(axes, [](const Interval& a, const Interval& b) {
+               return !isLess(a.low, b.high) || !isLess(b.low, a.high);
+           });
+}
+
+bool areDisjoint(const std::vector<LineImages>& axes) {
+    return areAllApart(axes, [](const Interval& a, const Interval& b) {
+        return isLess(a.high, b.low) || isLess(b.high, a.low);
+    });
 }
 
 // The cells between neighbouring ends of the images along one axis, and which of them each image holds.
@@ -202,7 +210,7 @@ template <int Dim> std::optional<HullPieces> piecesOfHull(std::span<const Affine
     }
     // Without turns, an attractor in a leaning plane or on a leaning line fills no box.
     if (axes.size() != basis->directions.size()) return std::nullopt;
-    HullPieces result{int(axes.size()), haveDisjointInsides(axes), coverHull(axes)};
+    HullPieces result{int(axes.size()), haveDisjointInsides(axes), areDisjoint(axes), coverHull(axes)};
     if (Dim == 2 && axes.size() == 2) {
         result.area = 1;
         for (const auto& [hull, images, unit] : axes)

@@ -15,6 +15,7 @@ struct HullPieces {
     // No two images of this inside have a common point, and none is flat: the open set condition holds with
     // it.
     bool haveDisjointInsides = false;
+    bool areDisjoint = false;        // no two images have any common point
     bool coverHull = false;          // the images are all of the segment or box: it is the attractor
     std::optional<double> area = {}; // of the box, rounded; plane only
 };

@@ -92,6 +92,12 @@ void settleByOpenSet(OpenSetFacts& facts, std::span<const AffineMap<Dim>> maps, 
 template <int Dim>
 void settleByHull(OpenSetFacts& facts, PieceContacts& contacts, std::span<const AffineMap<Dim>> maps,
                   const std::optional<HullPieces>& pieces, Certainty certainty) {
+    if (pieces && pieces->areDisjoint && contacts.separation == Separation::Unknown &&
+        certainty == Certainty::Exact) {
+        contacts.separation = Separation::Strong;
+        contacts.connectedness = Connectedness::Disconnected;
+        settleByOpenSet<Dim>(facts, maps, certainty);
+    }
     if (pieces && pieces->haveDisjointInsides) settleByOpenSet<Dim>(facts, maps, certainty);
     if (facts.condition == OpenSetCondition::Unknown)
         if (const auto excess = excessOnHull<Dim>(maps); excess && excess->value > excess->rounding) {

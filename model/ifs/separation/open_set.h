@@ -46,7 +46,8 @@ OpenSetFacts openSetFacts(std::span<const AffineMap<Dim>> maps, const PieceConta
 template <int Dim>
 void settleByOpenSet(OpenSetFacts& facts, std::span<const AffineMap<Dim>> maps, Certainty certainty);
 
-// The same where the inside of a segment, or of an upright box, has disjoint images; where images fill more
+// The same where the inside of a segment, or of an upright box, has disjoint images, which separate the
+// pieces where they do not even touch; where images fill more
 // than the affine hull, OSC fails; and where they fill the segment or the box, this is the attractor.
 // `pieces` are those of these maps; `certainty` is that of facts that are proved for the stored coefficients.
 template <int Dim>

@@ -71,6 +71,19 @@ private slots:
         QVERIFY(!piecesOfHull<2>(koch()));
     }
 
+    // Boxes that do not even touch, by less than any cover by balls can show.
+    void boxesApart() {
+        for (const double ratio : {.5 - 0x1p-48, .5 - 0x1p-54, .5, .5 + 0x1p-53}) {
+            const auto found = factsOf(canonical::system<2>({affineMap(ratio, 0, 0, .25, 0, 0),
+                                                             affineMap(ratio, 0, 0, .25, 1, 0),
+                                                             affineMap(ratio, 0, 0, .125, 0, 1)}))
+                                   .invariants;
+            const bool isApart = ratio < .5;
+            QCOMPARE(found.contacts->separation == Separation::Strong, isApart);
+            QCOMPARE(found.openSet->condition == OpenSetCondition::Holds, ratio <= .5);
+        }
+    }
+
     // The condition fails where the images fill more than the line or plane that the attractor lies in.
     void tooMuchForTheAffineHull() {
         const auto fails = [](const OpenSetFacts& found) {
