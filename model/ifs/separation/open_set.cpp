@@ -92,8 +92,10 @@ void settleByOpenSet(OpenSetFacts& facts, std::span<const AffineMap<Dim>> maps, 
 template <int Dim>
 void settleByHull(OpenSetFacts& facts, PieceContacts& contacts, std::span<const AffineMap<Dim>> maps,
                   const std::optional<HullPieces>& pieces, Certainty certainty) {
-    if (pieces && pieces->areDisjoint && contacts.separation == Separation::Unknown &&
-        certainty == Certainty::Exact) {
+    // What touches within rounding error stays so, though the stored numbers leave a gap.
+    const bool mayTouch = contacts.separation != Separation::Unknown || facts.neighbours.value_or(0) > 0 ||
+                          contacts.connectedness == Connectedness::ConnectedToRounding;
+    if (pieces && pieces->areDisjoint && !mayTouch && certainty == Certainty::Exact) {
         contacts.separation = Separation::Strong;
         contacts.connectedness = Connectedness::Disconnected;
         settleByOpenSet<Dim>(facts, maps, certainty);

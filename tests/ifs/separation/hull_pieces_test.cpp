@@ -84,6 +84,16 @@ private slots:
         }
     }
 
+    // Rounding leaves gaps between the squares of a carpet, which mean nothing.
+    void carpetsStayInOnePiece() {
+        Maps2 carpet;
+        for (int k = 0; k < 9; ++k)
+            if (k != 4) carpet.push_back(scaledBy(1. / 3, k % 3 / 3., k / 3 / 3.));
+        const auto found = factsOf(canonical::system<2>(carpet)).invariants;
+        QCOMPARE(found.contacts->connectedness, Connectedness::ConnectedToRounding);
+        QCOMPARE(found.contacts->separation, Separation::Unknown);
+    }
+
     // The condition fails where the images fill more than the line or plane that the attractor lies in.
     void tooMuchForTheAffineHull() {
         const auto fails = [](const OpenSetFacts& found) {
