@@ -11,10 +11,12 @@
 #include "ifs/links/linked_measure.h"
 #include "ifs/processor_clock.h"
 #include "ifs/separation/affine_hull.h"
+#include "ifs/separation/determinant_sum.h"
 #include "ifs/separation/exact_hull.h"
 #include "ifs/separation/exact_map.h"
 #include "ifs/separation/graph_proof.h"
 #include "ifs/separation/hull_cover.h"
+#include "ifs/separation/hull_pieces.h"
 #include "ifs/separation/neighbour_graph.h"
 #include "ifs/tiles/tile_area.h"
 
@@ -64,13 +66,32 @@ private:
     std::vector<LongFact>& m_late;
 };
 
-// The attractor is a point.
-template <int Dim> void settlePoint(Facts<Dim>& facts) {
+template <int Dim> void setExtentsOfPoint(Facts<Dim>& facts, const Mean<Dim>& known) {
+    facts.box = BoundingBox<Dim>{known.point, known.point, known.error};
+    CanonicalSimplex<Dim> simplex;
+    simplex.orientation.fill(1);
+    simplex.leg = 1;
+    simplex.error = known.error;
+    simplex.vertices[0] = known.point;
+    for (int k = 0; k < Dim; ++k)
+        simplex.vertices[std::size_t(k) + 1] = known.point + Vector<Dim>::Unit(k);
+    facts.simplex = simplex;
+    facts.hull.emplace();
+    facts.hull->vertices = {known.point};
+    facts.hull->error = known.error;
+}
+
+// Returns true if the attractor is a point, whose facts are those of the point, rounded.
+template <int Dim> bool settlePoint(Facts<Dim>& facts) {
+    if (!facts.existence.exists()) return false;
+    const auto known = commonFixedPoint<Dim>(facts.active.maps);
+    if (!known) return false;
+    facts.isPoint = true;
     facts.similarityDimension = 0;
-    if (!facts.moments) return;
-    facts.moments->covariance.setZero();
-    facts.moments->longRunCovariance.setZero();
-    facts.moments->covarianceError = 0;
+    setExtentsOfPoint(facts, *known);
+    facts.mean = *known;
+    facts.moments = Moments<Dim>{known->point, Matrix<Dim>::Zero(), Matrix<Dim>::Zero(), known->error};
+    return true;
 }
 
 template <int Dim>
@@ -84,12 +105,13 @@ bool findExistence(Facts<Dim>& facts, const IteratedFunctionSystem<Dim>& system,
         facts.existence = classify<Dim>(facts.active.maps);
         facts.support = SupportFunction<Dim>::of(facts.active.maps);
         if (facts.support) facts.similarityDimension = similarityDimension<Dim>(facts.active.maps);
-        if (facts.support && haveCommonFixedPoint<Dim>(facts.active.maps)) settlePoint(facts);
+        settlePoint(facts);
         return true;
     });
 }
 
 template <int Dim> void findExtents(Facts<Dim>& facts, Budget& budget) {
+    if (facts.isPoint || !facts.support) return;
     budget.spend(LongFact::Extents, [&](const std::stop_token& stop) {
         facts.support->outline(stop);
         if (stop.stop_requested()) return false;
@@ -101,6 +123,7 @@ template <int Dim> void findExtents(Facts<Dim>& facts, Budget& budget) {
 
 // The usual tolerance is a share of the box.
 template <int Dim> void findHull(Facts<Dim>& facts, std::optional<double> tolerance, Budget& budget) {
+    if (facts.isPoint || !facts.support) return;
     if (!facts.box && !tolerance) return budget.leaveOut({LongFact::Hull});
     budget.spend(LongFact::Hull, [&](const std::stop_token& stop) {
         const double wanted = tolerance ? *tolerance : usualHullTolerance(*facts.box);
@@ -129,8 +152,10 @@ template <int Dim> void findLinkedMeasure(Facts<Dim>& facts) {
     Invariants& invariants = facts.invariants;
     invariants.entropy = entropyRate(transitions(facts.active));
     invariants.lyapunovExponent = linkedLyapunovExponent<Dim>(facts.active);
-    if (const auto bound = linkedMeasureDimension<Dim>(facts.active))
-        setMeasureDimension(invariants, *bound, Dim);
+    if (const auto bound = linkedMeasureDimension<Dim>(facts.active)) {
+        const auto hull = affineHull<Dim>(facts.active.maps); // kept by all maps, so it holds their attractor
+        setMeasureDimension(invariants, *bound, hull ? hull->dimension : Dim);
+    }
 }
 
 void findLinkedExtents(Facts<2>& facts, std::optional<double> hullTolerance, Budget& budget) {
@@ -182,7 +207,6 @@ Facts<Dim> geometricFacts(const IteratedFunctionSystem<Dim>& system, std::option
     Budget unlimited({}, facts.late);
     if (areLinked(facts, system, hullTolerance, unlimited)) return facts;
     findExistence(facts, system, unlimited);
-    if (!facts.support) return facts;
     findExtents(facts, unlimited);
     findHull(facts, hullTolerance, unlimited);
     return facts;
@@ -218,6 +242,54 @@ bool settleExtremePoints(Facts<2>& facts, const std::stop_token& stop) {
     return true;
 }
 
+// Of what is proved for the stored coefficients.
+template <int Dim> Certainty certaintyOf(const Facts<Dim>& facts) {
+    return facts.typed.empty() ? Certainty::Exact : Certainty::ToRounding;
+}
+
+// Pieces of a point are the point.
+template <int Dim> void findContactsOfPoint(const Facts<Dim>& facts, Invariants& result) {
+    const auto& maps = facts.active.maps;
+    PieceContacts contacts;
+    if (maps.size() == 1) contacts.separation = Separation::Strong;
+    contacts.connectedness = Connectedness::Connected;
+    result.contacts = contacts;
+    result.openSet = openSetFacts<Dim>(maps, *result.contacts, nullptr);
+    settleByHull<Dim>(*result.openSet, *result.contacts, maps, std::nullopt, certaintyOf(facts));
+}
+
+bool isOpenSetOpen(const OpenSetFacts& known) {
+    return known.condition == OpenSetCondition::Unknown ||
+           (known.condition == OpenSetCondition::Holds && known.certainty == Certainty::ToRounding);
+}
+
+template <int Dim> void findSpectrum(const Facts<Dim>& facts, Invariants& result) {
+    if (result.openSet->condition == OpenSetCondition::Holds && facts.similarityDimension > 0.0)
+        result.spectrum = dimensionSpectrum<Dim>(facts.active);
+}
+
+// Returns true if the hull, if it is the attractor, is a tile whose area is not known.
+bool fillExactly(const Invariants& found, const std::vector<AffineMap<2>>& maps) {
+    const bool isKnown = found.tile && found.tile->area;
+    return !isKnown && found.openSet->condition == OpenSetCondition::Holds &&
+           excessOfDeterminants<2>(maps).sign() == 0;
+}
+
+void setArea(Invariants& found, double area) {
+    if (!found.tile) found.tile.emplace().isExact = true;
+    found.tile->area = area;
+}
+
+// Boxes and segments of maps along the axes, and segments on any line.
+template <int Dim> void findFullHull(const Facts<Dim>& facts, Invariants& result) {
+    const auto& maps = facts.active.maps;
+    const auto pieces = piecesOfHull<Dim>(maps);
+    settleByHull<Dim>(*result.openSet, *result.contacts, maps, pieces, certaintyOf(facts));
+    if constexpr (Dim == 2)
+        if (pieces && pieces->coverHull && pieces->area && facts.typed.empty() && fillExactly(result, maps))
+            setArea(result, *pieces->area);
+}
+
 template <int Dim> void findContacts(const Facts<Dim>& facts, Invariants& result) {
     const auto& maps = facts.active.maps;
     auto graph = facts.box ? neighbourGraph<Dim>(maps, *facts.box) : std::nullopt;
@@ -236,11 +308,11 @@ template <int Dim> void findContacts(const Facts<Dim>& facts, Invariants& result
                 (!result.tile->area || isAreaOf(maps, facts.typed)) &&
                 (!result.tile->boundaryDimension || neighbours->certainty() == Certainty::Exact);
         if (result.tile && result.tile->area)
-            settleByArea<2>(*result.openSet, maps,
-                            result.tile->isExact ? Certainty::Exact : Certainty::ToRounding);
+            settleByOpenSet<2>(*result.openSet, maps,
+                               result.tile->isExact ? Certainty::Exact : Certainty::ToRounding);
     }
-    if (result.openSet->condition == OpenSetCondition::Holds && facts.similarityDimension > 0.0)
-        result.spectrum = dimensionSpectrum<Dim>(facts.active);
+    findFullHull(facts, result);
+    findSpectrum(facts, result);
 }
 
 template <int Dim> void findInvariants(const Facts<Dim>& facts, Invariants& result, Budget& budget) {
@@ -252,7 +324,7 @@ template <int Dim> void findInvariants(const Facts<Dim>& facts, Invariants& resu
         result.jointSpectralRadius = jointSpectralRadius<Dim>(active.maps, facts.existence);
         return true;
     });
-    if (!facts.support) return;
+    if (!facts.support && !facts.isPoint) return;
     if (facts.similarityDimension == 0.0)
         result.measureDimension = 0;
     else if (const auto bound = measureDimension(active)) {
@@ -260,17 +332,34 @@ template <int Dim> void findInvariants(const Facts<Dim>& facts, Invariants& resu
         setMeasureDimension(result, *bound, hull ? hull->dimension : Dim);
     }
     budget.spend(LongFact::Contacts, [&](const std::stop_token&) {
-        findContacts(facts, result);
+        facts.support ? findContacts(facts, result) : findContactsOfPoint(facts, result);
+        const bool isExact = facts.typed.empty() || active.maps.size() == 1;
+        if (facts.isPoint)
+            result.openSet->dimension =
+                HausdorffDimension{.proof = HausdorffDimension::Proof::Convex,
+                                   .certainty = isExact ? Certainty::Exact : Certainty::ToRounding};
         return true;
     });
 }
 
-// The hull that is the union of its images is the attractor, and convex.
-void settleConnectedness(const Facts<2>& facts, Invariants& invariants) {
-    if (!invariants.contacts || !facts.isHullExact || !facts.typed.empty()) return;
-    Connectedness& known = invariants.contacts->connectedness;
-    if (known == Connectedness::Connected || known == Connectedness::Disconnected) return;
-    if (imagesCoverHull(facts.active.maps, facts.extremePoints)) known = Connectedness::Connected;
+// A hull whose inside has disjoint images is an open set as the condition asks for. A hull that is the union
+// of its images is the attractor, and convex.
+void settleByExactHull(const Facts<2>& facts, Invariants& invariants) {
+    if (!invariants.contacts || !facts.isHullExact || !facts.typed.empty() || facts.isPoint) return;
+    const auto& maps = facts.active.maps;
+    OpenSetFacts& openSet = *invariants.openSet;
+    if (isOpenSetOpen(openSet) && haveImagesDisjointInsides(maps, facts.extremePoints)) {
+        settleByOpenSet<2>(openSet, maps, Certainty::Exact);
+        findSpectrum(facts, invariants);
+    }
+    const bool isPolygon = facts.hull->vertices.size() > 2,
+               fills = isPolygon && fillExactly(invariants, maps);
+    const Connectedness known = invariants.contacts->connectedness;
+    if (known == Connectedness::Disconnected) return;
+    if (known == Connectedness::Connected && openSet.dimension && !fills) return;
+    if (!imagesCoverHull(maps, facts.extremePoints)) return;
+    settleConvex(openSet, *invariants.contacts, isPolygon ? 2 : 1, Certainty::Exact);
+    if (fills) setArea(invariants, facts.hull->area);
 }
 
 void findAffinityDimension(Facts<2>& facts, Budget& budget) {
@@ -282,22 +371,28 @@ void findAffinityDimension(Facts<2>& facts, Budget& budget) {
 }
 
 void findExtremePoints(Facts<2>& facts, Budget& budget) {
+    if (facts.isPoint) {
+        facts.extremePoints = {PeriodicPoint{{}, {0}, facts.hull->vertices.front()}};
+        facts.isHullExact = true;
+        return;
+    }
     const bool isFound = budget.spend(LongFact::ExtremePoints, [&](const std::stop_token& stop) {
         return settleExtremePoints(facts, stop);
     });
     if (!isFound) facts.extremePoints.assign(facts.hull->vertices.size(), std::nullopt);
-    settleConnectedness(facts, facts.invariants);
+    settleByExactHull(facts, facts.invariants);
 }
 
-// Tries the addresses of the hull for facts that come without them: they tell whether the images of the hull
-// cover it.
+// Tries the addresses of the hull for facts that come without them: they tell whether its images overlap, and
+// whether they cover it.
 void settleByAddresses(Facts<2> facts, Invariants& invariants) {
     constexpr std::chrono::seconds patience(2);
-    if (!facts.hull || !facts.support || !invariants.contacts) return;
+    if (!facts.hull || !facts.support || facts.isPoint || !invariants.contacts) return;
     const Connectedness known = invariants.contacts->connectedness;
-    if (known == Connectedness::Connected || known == Connectedness::Disconnected) return;
+    const bool isConnectionKnown = known == Connectedness::Connected || known == Connectedness::Disconnected;
+    if (isConnectionKnown && !isOpenSetOpen(*invariants.openSet)) return;
     if (facts.extremePoints.empty() && !settleExtremePoints(facts, Deadline(patience).token())) return;
-    settleConnectedness(facts, invariants);
+    settleByExactHull(facts, invariants);
 }
 
 } // namespace
@@ -321,9 +416,9 @@ Facts<Dim> factsOf(const IteratedFunctionSystem<Dim>& system, std::optional<doub
     const bool isExistenceKnown = findExistence(facts, system, budget);
     if (!isExistenceKnown) budget.leaveOut({LongFact::Extents, LongFact::Contacts, LongFact::Hull});
     if (!isExistenceKnown && Dim == 3) budget.leaveOut({LongFact::AffinityDimension});
-    if (facts.support) findExtents(facts, budget);
+    findExtents(facts, budget);
     findInvariants(facts, facts.invariants, budget); // within less time than what follows
-    if (facts.support) findHull(facts, hullTolerance, budget);
+    findHull(facts, hullTolerance, budget);
     facts.affinityDimension = facts.similarityDimension;
     if (const auto& dimension = facts.similarityDimension)
         facts.affinityDimensionError = similarityDimensionError<Dim>(facts.active.maps, *dimension);
@@ -429,6 +524,7 @@ template <int Dim> Facts<Dim> moved(const AffineMap<Dim>& transformation, const 
         result.simplex = minimalCanonicalSimplexOfImage(transformation, *facts.support, tolerance);
     }
     if (facts.hull) result.hull = moved(transformation, *facts.hull);
+    if (facts.isPoint) setExtentsOfPoint(result, *result.mean);
     result.typed.clear();
     result.extremePoints.clear();
     result.isHullExact = false;

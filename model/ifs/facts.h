@@ -31,7 +31,7 @@ struct Invariants {
     // True if the dimension of the affine hull replaces a greater value.
     bool isMeasureDimensionCapped = false;
     std::optional<JointSpectralRadius> jointSpectralRadius; // finite maps only
-    std::optional<PieceContacts> contacts;                  // systems with an attractor only
+    std::optional<PieceContacts> contacts;                  // systems with extents only
     std::optional<OpenSetFacts> openSet;                    // present together with `contacts`
     std::optional<DimensionSpectrum> spectrum;              // similarities under the open set condition only
     std::optional<Tile> tile;                               // plane only
@@ -65,6 +65,7 @@ template <int Dim> struct Facts {
     ActiveMaps<Dim> active;
     std::vector<SurdMap> typed;    // active maps without rounding; empty if nothing is typed
     Existence existence;           // existence for the active maps
+    bool isPoint = false;          // true: the attractor is proved to be a single point
     std::optional<Mean<Dim>> mean; // possible without the covariance
     std::optional<Moments<Dim>> moments;
     std::optional<SupportFunction<Dim>> support;

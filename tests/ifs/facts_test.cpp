@@ -42,6 +42,52 @@ class FactsTest : public QObject {
     Q_OBJECT
 
 private slots:
+    // Cramer's rule knows the point, however far its map stretches before it contracts.
+    void commonFixedPointIsTheWholeAttractor() {
+        const auto isPoint = [](const auto& facts, const auto& point, double error) {
+            QVERIFY(facts.isPoint && facts.box && facts.simplex && facts.hull && facts.mean && facts.moments);
+            QCOMPARE(facts.similarityDimension, std::optional(0.0));
+            QCOMPARE(facts.affinityDimension, std::optional(0.0));
+            QCOMPARE(facts.invariants.measureDimension, std::optional(0.0));
+            QVERIFY(facts.invariants.openSet->dimension && facts.invariants.openSet->dimension->value == 0);
+            QVERIFY(facts.box->min == facts.box->max && facts.box->error <= error);
+            QVERIFY((facts.box->min - point).norm() <= error + facts.box->error);
+            QVERIFY(facts.hull->vertices.size() == 1 && facts.hull->error == facts.box->error);
+            QVERIFY(facts.simplex->leg == 1 && facts.simplex->error == facts.box->error);
+            QCOMPARE(facts.invariants.contacts->connectedness, Connectedness::Connected);
+        };
+        // A² = I/4, so that the point is 4/3 (I + A) b.
+        const auto steep = factsOf(
+            systemOf({affineMap(1629810176.25, -1629810175.75, 1629810176.75, -1629810176.25, 1, 0)}));
+        isPoint(steep, Vector<2>(4 * 1629810177.25 / 3, 4 * 1629810176.75 / 3), 1e-5);
+        QCOMPARE(steep.invariants.contacts->separation, Separation::Strong);
+        QCOMPARE(steep.invariants.openSet->condition, OpenSetCondition::Holds);
+        QVERIFY(steep.isHullExact && steep.extremePoints.size() == 1 && steep.extremePoints[0]);
+        const auto image = moved(affineMap(0, -2, 2, 0, 1, 1), steep);
+        QVERIFY((image.box->min - Vector<2>(1 - 8 * 1629810176.75 / 3, 1 + 8 * 1629810177.25 / 3)).norm() <=
+                image.box->error + 1e-5);
+        QVERIFY(image.box->error < 1e-4);
+        const auto slow = factsOf(systemOf({affineMap(-0.9616878261478827, -0.4770864654484555,
+                                                      -0.062416917643708686, -0.2227466199707716, 1, 0)}));
+        isPoint(slow, Vector<2>(0.5161731930279738, -0.026348827429093467), 1e-15);
+        const auto twice =
+            factsOf(systemOf({affineMap(.5, 0, 0, .5, 1, 1), affineMap(.25, -.25, .25, .25, 2, 1)}));
+        isPoint(twice, Vector<2>(2, 2), 0);
+        // Both pieces are the whole point, whose maps have the sum 2.
+        QCOMPARE(twice.invariants.openSet->condition, OpenSetCondition::Fails);
+        IteratedFunctionSystem<3> solid;
+        AffineMap<3> map;
+        map.linear << -116337.67798311505, 2908.4169495908177, 58168.33899181635, 34901.003395089814,
+            -0.9999994823501344, -17450.501697544907, -232673.3559672654, 5816.833899181635,
+            116335.67798415036;
+        map.translation = Vector<3>(1, 0, 0);
+        append(solid, map, 1);
+        const auto space = factsOf(solid);
+        QVERIFY(space.isPoint && space.box);
+        const Vector<3> point = space.box->min;
+        isPoint(space, point, 1e-14 * point.norm());
+    }
+
     // The facts of an image are those of the system that has it.
     void anImageIsTheAttractorOfTheConjugatedSystem() {
         const AffineMap<2> leaning = affineMap(1.2, 0.7, -0.3, -0.8, 2, -5); // turns over
@@ -306,7 +352,8 @@ private slots:
         const OpenSetFacts found = *factsOf(systemOf(boxes)).invariants.openSet;
         QCOMPARE(found.condition, OpenSetCondition::Holds);
         QCOMPARE(found.certainty, Certainty::Exact);
-        QVERIFY(!found.dimension);
+        QVERIFY(found.dimension && found.dimension->value == 2); // the unit square
+        QCOMPARE(found.dimension->proof, HausdorffDimension::Proof::Convex);
     }
 
     // What needs a factor below 1 is unavailable; the affinity dimension is 2, since Σ|det A_i| is 1 but for

@@ -238,7 +238,8 @@ template <int Dim> double leastContractivity(std::span<const AffineMap<Dim>> map
 // it.
 template <int Dim>
 std::optional<Existence> contractionWithoutRounding(std::span<const AffineMap<Dim>> maps,
-                                                    const std::optional<Conditioned<Dim>>& better) {
+                                                    const std::optional<Conditioned<Dim>>& better,
+                                                    int maxProducts) {
     const std::vector<int> longest{int(maxNorm<Dim>(linearParts<Dim>(maps)).index)};
     if (const auto euclidean = exactEuclideanNorm<Dim>(maps))
         return Existence{
@@ -258,13 +259,14 @@ std::optional<Existence> contractionWithoutRounding(std::span<const AffineMap<Di
     const CommonMatrixNorm unusable{1, std::numeric_limits<double>::infinity()};
     for (const auto& norm : {supportNorm<Dim>(maps), lyapunovNorm<Dim>(maps), seen})
         if (norm && norm->contractivity < 1) return along(*norm);
-    if (seen || contractExactly<Dim>(maps)) return along(unusable);
+    if (seen || contractExactly<Dim>(maps, maxProducts)) return along(unusable);
     return std::nullopt;
 }
 
 // Contraction in norms that fit the maps, where words have not decided.
 template <int Dim>
-std::optional<Existence> contractionInSomeNorm(std::span<const AffineMap<Dim>> maps, bool isHurried) {
+std::optional<Existence> contractionInSomeNorm(std::span<const AffineMap<Dim>> maps, bool isHurried,
+                                               int maxProducts) {
     for (const double emphasis : emphases)
         if (const auto ellipsoidal = ellipsoidalNorm<Dim>(maps, emphasis))
             return Existence{.verdict = Verdict::EventuallyContractive,
@@ -299,7 +301,7 @@ std::optional<Existence> contractionInSomeNorm(std::span<const AffineMap<Dim>> m
                              .normEquivalence = polytope->equivalence * (better ? better->condition : 1),
                              .norm = NormKind::Polytope};
     }
-    return contractionWithoutRounding<Dim>(maps, better);
+    return contractionWithoutRounding<Dim>(maps, better, maxProducts);
 }
 
 // Longer words than can all be tried: those that are the longest where the maps are short.
@@ -385,7 +387,7 @@ template <int Dim> Existence classify(std::span<const AffineMap<Dim>> maps, int 
     if (generators.size() > allowed) return undecided;
     constexpr int thorough = 20'000; // products; fewer are allowed while somebody waits
     const bool isHurried = maxProducts < thorough;
-    if (const auto found = contractionInSomeNorm<Dim>(maps, isHurried)) return *found;
+    if (const auto found = contractionInSomeNorm<Dim>(maps, isHurried, maxProducts)) return *found;
     return isHurried ? undecided : longExpandingWord<Dim>(maps).value_or(undecided);
 }
 

@@ -13,10 +13,10 @@ namespace ifs {
 // attractor?"
 template <int Dim> bool areJointlyTriangular(std::span<const AffineMap<Dim>> maps);
 
-// Returns true if exact arithmetic alone proves the joint spectral radius of the linear parts to be below 1:
-// by the norms of support_norm.h, lyapunov_norm.h and common_matrix.h, by joint triangularity, or by one of
-// these for each strong component of the graph of coefficients that do not vanish. There may be no double
-// below 1 that bounds it.
-template <int Dim> bool contractExactly(std::span<const AffineMap<Dim>> maps);
+// Returns true if the joint spectral radius of the linear parts is proved to be below 1: without rounding, by
+// the norms of support_norm.h, lyapunov_norm.h and common_matrix.h or by joint triangularity; or by all that
+// is known of each strong component of the graph of coefficients that do not vanish, of which at most
+// `maxProducts` words are multiplied out. There may be no double below 1 that bounds it.
+template <int Dim> bool contractExactly(std::span<const AffineMap<Dim>> maps, int maxProducts);
 
 } // namespace ifs

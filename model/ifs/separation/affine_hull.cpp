@@ -37,22 +37,29 @@ public:
 
     int size() const { return int(m_known.size()); }
 
-    std::optional<std::vector<int>> axes() const {
-        std::vector<int> result;
-        for (std::size_t axis = 0; axis < Dim; ++axis)
-            if (std::ranges::any_of(m_known, [axis](const auto& d) { return d.first[axis].sign() != 0; }))
-                result.push_back(int(axis));
-        return int(result.size()) == size() ? std::optional(result) : std::nullopt;
+    std::vector<typename HullBasis<Dim>::Direction> all() const {
+        std::vector<typename HullBasis<Dim>::Direction> result;
+        for (const auto& [way, pivot] : m_known)
+            result.push_back({way, pivot});
+        return result;
     }
 
 private:
     std::vector<std::pair<Direction<Dim>, std::size_t>> m_known;
 };
 
+template <int Dim> std::optional<std::vector<int>> axesOf(const HullBasis<Dim>& basis) {
+    std::vector<int> result;
+    for (std::size_t axis = 0; axis < Dim; ++axis)
+        if (std::ranges::any_of(basis.directions, [axis](const auto& d) { return d.way[axis].sign() != 0; }))
+            result.push_back(int(axis));
+    return result.size() == basis.directions.size() ? std::optional(result) : std::nullopt;
+}
+
 } // namespace
 
 // Spanned by the differences of fixed points and by what the linear parts make of them.
-template <int Dim> std::optional<AffineHull> affineHull(std::span<const AffineMap<Dim>> maps) {
+template <int Dim> std::optional<HullBasis<Dim>> hullBasis(std::span<const AffineMap<Dim>> maps) {
     if (maps.empty()) return std::nullopt;
     Directions<Dim> directions;
     std::vector<Direction<Dim>> found;
@@ -70,7 +77,7 @@ template <int Dim> std::optional<AffineHull> affineHull(std::span<const AffineMa
         for (std::size_t k = 0; k < Dim; ++k)
             way[k] = moved.numerator[k] - first.numerator[k];
         add(way);
-        if (directions.size() == Dim) return AffineHull{Dim, directions.axes()};
+        if (directions.size() == Dim) return HullBasis<Dim>{directions.all(), first};
     }
     for (std::size_t k = 0; k < found.size() && directions.size() < Dim; ++k)
         for (const auto& map : exact) {
@@ -80,9 +87,17 @@ template <int Dim> std::optional<AffineHull> affineHull(std::span<const AffineMa
                     turned[i] = turned[i] + map.linear[i][j] * found[k][j];
             add(turned);
         }
-    return AffineHull{directions.size(), directions.axes()};
+    return HullBasis<Dim>{directions.all(), first};
 }
 
+template <int Dim> std::optional<AffineHull> affineHull(std::span<const AffineMap<Dim>> maps) {
+    const auto basis = hullBasis<Dim>(maps);
+    if (!basis) return std::nullopt;
+    return AffineHull{int(basis->directions.size()), axesOf<Dim>(*basis)};
+}
+
+template std::optional<HullBasis<2>> hullBasis<2>(std::span<const AffineMap<2>>);
+template std::optional<HullBasis<3>> hullBasis<3>(std::span<const AffineMap<3>>);
 template std::optional<AffineHull> affineHull<2>(std::span<const AffineMap<2>>);
 template std::optional<AffineHull> affineHull<3>(std::span<const AffineMap<3>>);
 

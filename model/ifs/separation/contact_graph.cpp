@@ -3,8 +3,8 @@
 #include "ifs/linear/rounding.h"
 
 #include <algorithm>
-#include <bitset>
 #include <limits>
+#include <utility>
 
 namespace ifs {
 
@@ -35,33 +35,64 @@ std::vector<std::size_t> ContactGraph::prune() {
     return kept;
 }
 
-// Vertices that can all be reached from one another, by the transitive closure.
+// Tarjan's search for sets of vertices that can all be reached from one another, without recursion. Leaves
+// out single vertices without an edge to themselves.
 std::vector<std::vector<std::size_t>> ContactGraph::strongParts() const {
+    constexpr std::size_t unseen = ~std::size_t{0};
     const std::size_t count = m_edges.size();
-    std::vector<std::bitset<maxVertices>> reached(count);
-    for (std::size_t k = 0; k < count; ++k)
-        for (const Edge& edge : m_edges[k])
-            reached[k].set(edge.to);
-    for (std::size_t via = 0; via < count; ++via)
-        for (std::size_t k = 0; k < count; ++k)
-            if (reached[k][via]) reached[k] |= reached[via];
+    struct Visit {
+        std::size_t vertex, next; // next edge to follow
+    };
+    std::vector<std::size_t> order(count, unseen), least(count), open;
+    std::vector<char> isOpen(count, 0);
     std::vector<std::vector<std::size_t>> parts;
-    std::vector<char> isPlaced(count, 0);
-    for (std::size_t k = 0; k < count; ++k) {
-        if (isPlaced[k] || !reached[k][k]) continue;
-        std::vector<std::size_t> part;
-        for (std::size_t other = k; other < count; ++other)
-            if (reached[k][other] && reached[other][k]) part.push_back(other);
-        for (const std::size_t member : part)
-            isPlaced[member] = 1;
-        parts.push_back(std::move(part));
+    std::size_t seen = 0;
+    for (std::size_t root = 0; root < count; ++root) {
+        if (order[root] != unseen) continue;
+        for (std::vector<Visit> way{{root, 0}}; !way.empty();) {
+            auto& [k, next] = way.back();
+            if (order[k] == unseen) {
+                order[k] = least[k] = seen++;
+                open.push_back(k);
+                isOpen[k] = 1;
+            }
+            if (next < m_edges[k].size()) {
+                const std::size_t to = m_edges[k][next].to;
+                if (order[to] == unseen) {
+                    way.push_back({to, 0});
+                    continue;
+                }
+                if (isOpen[to]) least[k] = std::min(least[k], least[to]);
+                ++next;
+                continue;
+            }
+            if (least[k] == order[k]) close(k, open, isOpen, parts);
+            way.pop_back();
+        }
     }
     return parts;
 }
 
+void ContactGraph::close(std::size_t first, std::vector<std::size_t>& open, std::vector<char>& isOpen,
+                         std::vector<std::vector<std::size_t>>& parts) const {
+    const auto begin = std::find(open.rbegin(), open.rend(), first).base() - 1;
+    std::vector<std::size_t> part(begin, open.end());
+    open.erase(begin, open.end());
+    for (const std::size_t k : part)
+        isOpen[k] = 0;
+    const auto isLoop = [first](const Edge& edge) { return edge.to == first; };
+    if (part.size() == 1 && std::ranges::none_of(m_edges[first], isLoop)) return;
+    std::ranges::sort(part);
+    parts.push_back(std::move(part));
+}
+
 // Adding the identity keeps the iteration from going round and round.
 std::optional<ContactGraph::Radius> ContactGraph::radiusOf(const std::vector<std::size_t>& part) const {
-    constexpr int maxRounds = 20'000;
+    constexpr std::size_t maxWork = 400'000'000; // edges followed
+    std::size_t edges = part.size();
+    for (const std::size_t k : part)
+        edges += m_edges[k].size();
+    const int maxRounds = int(std::min<std::size_t>(20'000, maxWork / edges));
     constexpr double tight = 1e-11, tightest = 1e-14;
     std::optional<Radius> best;
     int last = maxRounds; // limit of refinement, at most as long as the search so far
@@ -95,7 +126,6 @@ std::optional<ContactGraph::Radius> ContactGraph::radiusOf(const std::vector<std
 }
 
 std::optional<ContactGraph::Radius> ContactGraph::spectralRadius() const {
-    if (m_edges.size() > maxVertices) return std::nullopt;
     Radius result;
     for (const auto& part : strongParts()) {
         const auto radius = radiusOf(part);

@@ -11,7 +11,7 @@ namespace ifs {
 // another as there are pairs of these, or with weights.
 class ContactGraph {
 public:
-    static constexpr std::size_t maxVertices = 1024;
+    static constexpr std::size_t maxVertices = 1024; // limit of those who look for contacts
 
     explicit ContactGraph(std::size_t vertices) : m_edges(vertices) {}
     void join(std::size_t from, std::size_t to, double weight = 1) { m_edges[from].push_back({to, weight}); }
@@ -30,6 +30,8 @@ public:
 
 private:
     std::vector<std::vector<std::size_t>> strongParts() const;
+    void close(std::size_t first, std::vector<std::size_t>& open, std::vector<char>& isOpen,
+               std::vector<std::vector<std::size_t>>& parts) const;
     std::optional<Radius> radiusOf(const std::vector<std::size_t>& part) const;
 
     struct Edge {

@@ -3,6 +3,9 @@
 
 #include "ifs/existence/exact_matrix.h"
 
+#include <cmath>
+#include <limits>
+
 namespace ifs {
 
 namespace {
@@ -84,12 +87,29 @@ template <int Dim> bool haveCommonFixedPoint(std::span<const AffineMap<Dim>> map
     return true;
 }
 
+template <int Dim> std::optional<Mean<Dim>> commonFixedPoint(std::span<const AffineMap<Dim>> maps) {
+    if (!haveCommonFixedPoint<Dim>(maps)) return std::nullopt;
+    constexpr double ofQuotient = 0x1p-50, least = std::numeric_limits<double>::denorm_min();
+    const auto exact = exactFixedPoint(exactWord<Dim>(maps, {0}));
+    Mean<Dim> result{Vector<Dim>::Zero()};
+    for (std::size_t k = 0; k < Dim; ++k) {
+        const double seen = roundedQuotient(exact.numerator[k], exact.denominator) + 0.0;
+        if (!std::isfinite(seen)) return std::nullopt;
+        result.point[Eigen::Index(k)] = seen;
+        const Dyadic off = exact.numerator[k] - Dyadic(seen) * exact.denominator;
+        if (off.sign() != 0)
+            result.error += std::abs(roundedQuotient(off, exact.denominator)) * (1 + ofQuotient) + least;
+    }
+    return std::isfinite(result.error) ? std::optional(result) : std::nullopt;
+}
+
 #define BARYCAGE_INSTANTIATE(Dim)                                                                            \
     template ExactMap<Dim> exactWord(std::span<const AffineMap<Dim>>, const Word&);                          \
     template ExactPoint<Dim> exactFixedPoint(const ExactMap<Dim>&);                                          \
     template ExactPoint<Dim> image(const ExactMap<Dim>&, const ExactPoint<Dim>&);                            \
     template bool isSame(const ExactPoint<Dim>&, const ExactPoint<Dim>&);                                    \
-    template bool haveCommonFixedPoint(std::span<const AffineMap<Dim>>);
+    template bool haveCommonFixedPoint(std::span<const AffineMap<Dim>>);                                     \
+    template std::optional<Mean<Dim>> commonFixedPoint(std::span<const AffineMap<Dim>>);
 BARYCAGE_INSTANTIATE(2)
 BARYCAGE_INSTANTIATE(3)
 #undef BARYCAGE_INSTANTIATE

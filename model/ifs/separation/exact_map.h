@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "ifs/dimension/moments.h"
 #include "ifs/existence/dyadic.h"
 #include "ifs/system/affine_map.h"
 #include "ifs/system/branch.h"
 
 #include <array>
+#include <optional>
 #include <span>
 
 namespace ifs {
@@ -31,5 +33,8 @@ template <int Dim> bool isSame(const ExactPoint<Dim>& a, const ExactPoint<Dim>& 
 
 // Returns true if all maps have one fixed point in common; it is the attractor if they contract.
 template <int Dim> bool haveCommonFixedPoint(std::span<const AffineMap<Dim>> maps);
+
+// That point, rounded, with a bound of the distance to it; nullopt if there is none, or no double is near it.
+template <int Dim> std::optional<Mean<Dim>> commonFixedPoint(std::span<const AffineMap<Dim>> maps);
 
 } // namespace ifs

@@ -112,21 +112,26 @@ bool coverSegment(std::vector<std::pair<Triple, Triple>> images, Triple low, Tri
     return true;
 }
 
-} // namespace
-
-bool imagesCoverHull(std::span<const AffineMap<2>> maps,
-                     const std::vector<std::optional<PeriodicPoint>>& points) {
-    constexpr std::size_t maxCorners = 16, maxImages = 64;
-    if (points.empty() || points.size() > maxCorners || maps.size() > maxImages) return false;
-    std::vector<ExactPoint<2>> exact;
+// The convex hull of points and its images.
+struct HullImages {
     std::vector<Triple> corners;
+    std::vector<Sides> images;                       // of a polygon, those that are not flat
+    std::vector<std::pair<Triple, Triple>> segments; // of a segment
+};
+
+std::optional<HullImages> hullImages(std::span<const AffineMap<2>> maps,
+                                     const std::vector<std::optional<PeriodicPoint>>& points) {
+    constexpr std::size_t maxCorners = 16, maxImages = 64;
+    if (points.empty() || points.size() > maxCorners || maps.size() > maxImages) return std::nullopt;
+    std::vector<ExactPoint<2>> exact;
+    HullImages result;
+    std::vector<Triple>& corners = result.corners;
     for (const auto& address : points) {
         const auto point = exactPointOf(maps, address);
-        if (!point) return false;
+        if (!point) return std::nullopt;
         exact.push_back(*point);
         corners.push_back(tripleOf(*point));
     }
-    if (corners.size() == 1) return true;
     for (std::size_t k = 0; corners.size() > 2 && k < corners.size();) {
         const std::size_t count = corners.size(), before = (k + count - 1) % count, after = (k + 1) % count;
         if (sideOf(crossed(corners[before], corners[k]), corners[after]) != 0) {
@@ -136,8 +141,6 @@ bool imagesCoverHull(std::span<const AffineMap<2>> maps,
         corners.erase(corners.begin() + std::ptrdiff_t(k)); // collinear with its neighbours
         exact.erase(exact.begin() + std::ptrdiff_t(k));
     }
-    std::vector<Sides> images;
-    std::vector<std::pair<Triple, Triple>> segments;
     for (int i = 0; i < int(maps.size()); ++i) {
         const auto map = exactWord<2>(maps, {i});
         std::vector<Triple> seen;
@@ -146,12 +149,39 @@ bool imagesCoverHull(std::span<const AffineMap<2>> maps,
         const int turn = (map.linear[0][0] * map.linear[1][1] - map.linear[0][1] * map.linear[1][0]).sign();
         if (turn < 0) std::ranges::reverse(seen);
         if (corners.size() == 2)
-            segments.emplace_back(seen[0], seen[1]);
+            result.segments.emplace_back(seen[0], seen[1]);
         else if (turn != 0)
-            images.push_back(sidesOf(seen));
+            result.images.push_back(sidesOf(seen));
     }
-    if (corners.size() == 2) return coverSegment(std::move(segments), corners[0], corners[1]);
-    return Cover(std::move(images)).holds(sidesOf(corners));
+    return result;
+}
+
+bool haveCommonArea(Sides polygon, const Sides& other) {
+    for (const Triple& side : other)
+        if (polygon = leftOf(side, polygon); polygon.empty()) return false;
+    return true;
+}
+
+} // namespace
+
+bool imagesCoverHull(std::span<const AffineMap<2>> maps,
+                     const std::vector<std::optional<PeriodicPoint>>& points) {
+    auto hull = hullImages(maps, points);
+    if (!hull) return false;
+    const auto& corners = hull->corners;
+    if (corners.size() == 1) return true;
+    if (corners.size() == 2) return coverSegment(std::move(hull->segments), corners[0], corners[1]);
+    return Cover(std::move(hull->images)).holds(sidesOf(corners));
+}
+
+bool haveImagesDisjointInsides(std::span<const AffineMap<2>> maps,
+                               const std::vector<std::optional<PeriodicPoint>>& points) {
+    const auto hull = hullImages(maps, points);
+    if (!hull || hull->corners.size() < 3 || hull->images.size() != maps.size()) return false;
+    for (std::size_t i = 0; i < maps.size(); ++i)
+        for (std::size_t j = i + 1; j < maps.size(); ++j)
+            if (haveCommonArea(hull->images[i], hull->images[j])) return false;
+    return true;
 }
 
 } // namespace ifs

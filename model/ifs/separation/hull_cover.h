@@ -15,4 +15,10 @@ namespace ifs {
 bool imagesCoverHull(std::span<const AffineMap<2>> maps,
                      const std::vector<std::optional<PeriodicPoint>>& points);
 
+// Returns true if P is a polygon of which no two images have a common inner point, and none is flat, without
+// rounding: the open set condition holds with the inside of P, if isExactHull() holds. False where this would
+// take too much work.
+bool haveImagesDisjointInsides(std::span<const AffineMap<2>> maps,
+                               const std::vector<std::optional<PeriodicPoint>>& points);
+
 } // namespace ifs

@@ -122,6 +122,17 @@ public:
                     few * m_size * (size * inner.translation.norm() + outer.translation.norm())};
     }
 
+    // Returns true if all maps that a may be are among those that b may be.
+    bool isWithin(const Rounded<Dim>& a, const Rounded<Dim>& b) const {
+        return length(a.map.translation - b.map.translation) + a.shift <= b.shift &&
+               norm(a.map.linear - b.map.linear) + a.linear <= b.linear;
+    }
+
+    // Distance by which the image of a point of this norm may be off.
+    double off(const Rounded<Dim>& h, double reach) const {
+        return m_unrootSize.norm() * (h.shift + h.linear * m_size * reach);
+    }
+
     bool isSame(const Rounded<Dim>& a, const Rounded<Dim>& b) const {
         return length(a.map.translation - b.map.translation) <= a.shift + b.shift &&
                norm(a.map.linear - b.map.linear) <= a.linear + b.linear;
@@ -329,6 +340,79 @@ private:
     std::vector<Way> m_ways;           // origin of each map
 };
 
+// Walks from h to h as above, whose maps are known with error bounds that hold for the stored coefficients
+// and for all within their rounding. A map stands for others only if its bounds, which are made a little
+// wider, hold theirs, so that every walk of theirs has one here: pieces from which none goes on for ever are
+// disjoint.
+template <int Dim> class DisjointSearch {
+public:
+    DisjointSearch(std::span<const AffineMap<Dim>> maps, const Matrix<Dim>& root, const BoundingBox<Dim>& box)
+        : m_frame(root), m_centre((box.min + box.max) / 2), m_size(sizeOf<Dim>(box)) {
+        for (const auto& map : maps) {
+            m_maps.push_back(m_frame.stored(map));
+            m_inverses.push_back(m_frame.inverse(map));
+        }
+    }
+
+    // Marks pairs that do not meet according to the graph, i·N + j with i < j, where they are disjoint.
+    std::vector<char> found(const NeighbourGraph& graph) {
+        const std::size_t count = m_maps.size();
+        std::vector<std::pair<std::size_t, std::size_t>> pairs, edges{{endless, endless}};
+        std::vector<std::size_t> starts;
+        for (std::size_t i = 0; i < count; ++i)
+            for (std::size_t j = i + 1; j < count; ++j) {
+                if (graph.meet(i, j)) continue;
+                pairs.emplace_back(i, j);
+                starts.push_back(place(m_frame.product(m_inverses[i], m_maps[j])));
+            }
+        std::size_t steps = 0;
+        for (std::size_t k = 1; k < m_found.size(); ++k)
+            for (std::size_t i = 0; i < count; ++i)
+                for (std::size_t j = 0; j < count; ++j) {
+                    if (++steps > maxEdges || m_found.size() > ContactGraph::maxVertices) return {};
+                    const std::size_t to =
+                        place(m_frame.product(m_inverses[i], m_frame.product(m_found[k], m_maps[j])));
+                    if (to != none) edges.emplace_back(k, to);
+                }
+        ContactGraph walks(m_found.size());
+        for (const auto& [from, to] : edges)
+            walks.join(from, to);
+        const auto kept = walks.prune();
+        std::vector<char> result(count * count, 0);
+        for (std::size_t k = 0; k < pairs.size(); ++k)
+            if (starts[k] == none || !std::ranges::binary_search(kept, starts[k]))
+                result[pairs[k].first * count + pairs[k].second] = 1;
+        return result;
+    }
+
+private:
+    static constexpr std::size_t none = ~std::size_t{0};
+    static constexpr std::size_t endless = 0; // stands for maps that too little is known of
+
+    std::size_t place(Rounded<Dim> h) {
+        constexpr double wider = 1.125, much = 0x1p-4, slight = 1e-14;
+        const AffineMap<Dim> seen = h.map.rounded();
+        const double off =
+            m_frame.off(h, m_centre.norm() + m_size.norm()) +
+            slight * (seen.linear.norm() * m_centre.norm() + seen.translation.norm() + m_centre.norm());
+        const Vector<Dim> reach = (m_size + seen.linear.cwiseAbs() * m_size) * ((1 + 1e-12) / 2);
+        const Vector<Dim> apart = (seen(m_centre) - m_centre).cwiseAbs();
+        if ((apart - reach).maxCoeff() > off) return none;
+        if (!(off <= much * m_size.maxCoeff())) return endless;
+        for (std::size_t k = 1; k < m_found.size(); ++k)
+            if (m_frame.isWithin(h, m_found[k])) return k;
+        h.linear *= wider;
+        h.shift *= wider;
+        m_found.push_back(h);
+        return m_found.size() - 1;
+    }
+
+    Frame<Dim> m_frame;
+    std::vector<Rounded<Dim>> m_maps, m_inverses;
+    Vector<Dim> m_centre, m_size;
+    std::vector<Rounded<Dim>> m_found{1};
+};
+
 ContactGraph NeighbourGraph::contacts() const {
     ContactGraph result(m_count - 1);
     for (const auto& [from, i, j, to] : m_edges)
@@ -340,7 +424,7 @@ ContactGraph NeighbourGraph::contacts() const {
 // words it has. A piece of the next size that m pairs of a neighbour and a letter lead to counts 1/m with
 // each.
 std::optional<ContactGraph::Radius> NeighbourGraph::growth() const {
-    constexpr std::size_t maxTypeWork = 4'000'000;
+    constexpr std::size_t maxTypes = 20'000, maxTypeWork = 8'000'000;
     if (!m_overlap) return ContactGraph::Radius{double(m_maps), double(m_maps)};
     std::vector<std::vector<std::vector<std::size_t>>> next(m_count,
                                                             std::vector<std::vector<std::size_t>>(m_maps));
@@ -366,7 +450,7 @@ std::optional<ContactGraph::Radius> NeighbourGraph::growth() const {
             work += child.size() + types[k].size();
             const auto [at, isNew] = number.try_emplace(child, types.size());
             if (isNew) types.push_back(child);
-            if (types.size() > ContactGraph::maxVertices || work > maxTypeWork) return std::nullopt;
+            if (types.size() > maxTypes || work > maxTypeWork) return std::nullopt;
             steps.push_back({k, at->second, 1 / double(same)});
         }
     ContactGraph graph(types.size());
@@ -388,7 +472,10 @@ std::optional<NeighbourGraph> neighbourGraph(std::span<const AffineMap<Dim>> map
     if (!upright) return std::nullopt;
     const auto root = rootOfOneRatio<Dim>(*upright, ratio);
     if (!root) return std::nullopt;
-    return NeighbourSearch<Dim>(*upright, *root, box).graph(ratio, std::move(axes));
+    auto graph = NeighbourSearch<Dim>(*upright, *root, box).graph(ratio, std::move(axes));
+    if (graph && graph->certainty() == Certainty::ToRounding)
+        graph->m_apart = DisjointSearch<Dim>(*upright, *root, box).found(*graph);
+    return graph;
 }
 
 template std::optional<NeighbourGraph> neighbourGraph<2>(std::span<const AffineMap<2>>,

@@ -17,6 +17,14 @@ namespace ifs {
 // Whether a proof takes coefficients as exact or as rounded values; see stored_rounding.h.
 enum class Certainty { Exact, ToRounding };
 
+class NeighbourGraph;
+
+// nullopt where the maps are not similarities of one ratio, to rounding error, or no end of neighbours is
+// found within bounded work. The box is that of the attractor.
+template <int Dim>
+std::optional<NeighbourGraph> neighbourGraph(std::span<const AffineMap<Dim>> maps,
+                                             const BoundingBox<Dim>& box);
+
 // The maps h = w_σ⁻¹w_τ between pieces of one size, of similarities with one ratio, as they arise from one
 // another: A ∩ h(A) = ∪ w_i(A ∩ h'(A)) with h' = w_i⁻¹ h w_j. Finitely many of them have h(A) near A. Vertex
 // 0 is the identity. docs/mathematics.md, "Neighbours".
@@ -43,6 +51,13 @@ public:
     const std::optional<std::pair<Word, Word>>& overlap() const { return m_overlap; }
     // Returns true if the pieces of two maps have a common point.
     bool meet(std::size_t i, std::size_t j) const { return m_meet[i * m_maps + j] != 0; }
+    // Returns true if i ≠ j and these pieces are proved to be disjoint for the coefficients themselves,
+    // whatever the certainty of the graph.
+    bool areApart(std::size_t i, std::size_t j) const {
+        if (i > j) std::swap(i, j);
+        return i != j && (m_certainty == Certainty::Exact ? !meet(i, j)
+                                                          : !m_apart.empty() && m_apart[i * m_maps + j] != 0);
+    }
     // The graph of the contacts of neighbours, without the identity. Requires that no words overlap.
     ContactGraph contacts() const;
     // Factor by which the number of different maps w_σ, |σ| = n, grows with n; the number of maps if no words
@@ -51,6 +66,9 @@ public:
 
 private:
     template <int Dim> friend class NeighbourSearch;
+    template <int Dim>
+    friend std::optional<NeighbourGraph> neighbourGraph(std::span<const AffineMap<Dim>>,
+                                                        const BoundingBox<Dim>&);
     Certainty m_certainty = Certainty::Exact;
     double m_ratio = 0;
     std::size_t m_maps = 0, m_count = 0;
@@ -59,14 +77,9 @@ private:
     std::vector<Edge> m_steps;
     std::vector<int> m_axes;
     std::vector<char> m_meet;
+    std::vector<char> m_apart; // empty, or for i < j
     std::optional<std::pair<Word, Word>> m_overlap;
 };
-
-// nullopt where the maps are not similarities of one ratio, to rounding error, or no end of neighbours is
-// found within bounded work. The box is that of the attractor.
-template <int Dim>
-std::optional<NeighbourGraph> neighbourGraph(std::span<const AffineMap<Dim>> maps,
-                                             const BoundingBox<Dim>& box);
 
 // Returns true if the maps, their inverses and products of a few of them are doubles without rounding.
 bool areShort(std::span<const AffineMap<2>> maps);

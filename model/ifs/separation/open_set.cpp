@@ -2,11 +2,10 @@
 #include "ifs/separation/open_set.h"
 
 #include "ifs/dimension/dimension.h"
-#include "ifs/existence/exact_matrix.h"
 #include "ifs/existence/exact_similarity.h"
 #include "ifs/linear/rounding.h"
 #include "ifs/separation/determinant_sum.h"
-#include "ifs/separation/stored_rounding.h"
+#include "ifs/separation/hull_pieces.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,14 +13,6 @@
 namespace ifs {
 
 namespace {
-
-// Error of the sum of the determinants due to the rounding of the coefficients: tiles exceed 1 by that.
-template <int Dim> double roundingOfDeterminants(std::span<const AffineMap<Dim>> maps) {
-    double result = 0;
-    for (const auto& map : maps)
-        result += offDeterminant<Dim>(map.linear);
-    return result;
-}
 
 struct Condition {
     OpenSetCondition condition = OpenSetCondition::Unknown;
@@ -35,7 +26,8 @@ Condition conditionOf(std::span<const AffineMap<Dim>> maps, const PieceContacts&
     const auto& overlaps = contacts.overlaps;
     if (std::ranges::any_of(overlaps, &Overlap::isExact)) return {Fails};
     if (contacts.separation == Separation::Strong) return {Holds};
-    if (excessOfDeterminants<Dim>(maps).rounded() > roundingOfDeterminants<Dim>(maps)) return {Fails};
+    const auto excess = excessOnHull<Dim>(maps);
+    if (excess && excess->dimension == Dim && excess->value > excess->rounding) return {Fails};
     if (graph) return {graph->overlap() ? Fails : Holds, graph->certainty()};
     if (!overlaps.empty()) return {Fails, Certainty::ToRounding};
     return {};
@@ -87,17 +79,52 @@ OpenSetFacts openSetFacts(std::span<const AffineMap<Dim>> maps, const PieceConta
 }
 
 template <int Dim>
-void settleByArea(OpenSetFacts& facts, std::span<const AffineMap<Dim>> maps, Certainty certainty) {
-    if (facts.condition != OpenSetCondition::Unknown) return;
-    facts.condition = OpenSetCondition::Holds;
+void settleByOpenSet(OpenSetFacts& facts, std::span<const AffineMap<Dim>> maps, Certainty certainty) {
+    using enum OpenSetCondition;
+    const bool isBetter =
+        facts.condition == Holds && facts.certainty == Certainty::ToRounding && certainty == Certainty::Exact;
+    if (facts.condition != Unknown && !isBetter) return;
+    facts.condition = Holds;
     facts.certainty = certainty;
     facts.dimension = dimensionByCondition<Dim>(maps, certainty);
+}
+
+template <int Dim>
+void settleByHull(OpenSetFacts& facts, PieceContacts& contacts, std::span<const AffineMap<Dim>> maps,
+                  const std::optional<HullPieces>& pieces, Certainty certainty) {
+    // What touches within rounding error stays so, though the stored numbers leave a gap.
+    const bool mayTouch = contacts.separation != Separation::Unknown || facts.neighbours.value_or(0) > 0 ||
+                          contacts.connectedness == Connectedness::ConnectedToRounding;
+    if (pieces && pieces->areDisjoint && !mayTouch && certainty == Certainty::Exact) {
+        contacts.separation = Separation::Strong;
+        contacts.connectedness = Connectedness::Disconnected;
+        settleByOpenSet<Dim>(facts, maps, certainty);
+    }
+    if (pieces && pieces->haveDisjointInsides) settleByOpenSet<Dim>(facts, maps, certainty);
+    if (facts.condition == OpenSetCondition::Unknown)
+        if (const auto excess = excessOnHull<Dim>(maps); excess && excess->value > excess->rounding) {
+            facts.condition = OpenSetCondition::Fails;
+            facts.certainty = certainty;
+        }
+    if (pieces && pieces->coverHull) settleConvex(facts, contacts, pieces->dimension, certainty);
+}
+
+void settleConvex(OpenSetFacts& facts, PieceContacts& contacts, int dimension, Certainty certainty) {
+    if (contacts.connectedness == Connectedness::Unknown ||
+        (contacts.connectedness == Connectedness::ConnectedToRounding && certainty == Certainty::Exact))
+        contacts.connectedness =
+            certainty == Certainty::Exact ? Connectedness::Connected : Connectedness::ConnectedToRounding;
+    if (!facts.dimension)
+        facts.dimension = HausdorffDimension{
+            .value = double(dimension), .proof = HausdorffDimension::Proof::Convex, .certainty = certainty};
 }
 
 #define BARYCAGE_INSTANTIATE(Dim)                                                                            \
     template OpenSetFacts openSetFacts<Dim>(std::span<const AffineMap<Dim>>, const PieceContacts&,           \
                                             const NeighbourGraph*);                                          \
-    template void settleByArea<Dim>(OpenSetFacts&, std::span<const AffineMap<Dim>>, Certainty);
+    template void settleByOpenSet<Dim>(OpenSetFacts&, std::span<const AffineMap<Dim>>, Certainty);           \
+    template void settleByHull<Dim>(OpenSetFacts&, PieceContacts&, std::span<const AffineMap<Dim>>,          \
+                                    const std::optional<HullPieces>&, Certainty);
 BARYCAGE_INSTANTIATE(2)
 BARYCAGE_INSTANTIATE(3)
 #undef BARYCAGE_INSTANTIATE

@@ -172,7 +172,8 @@ private:
         std::vector<bool> result(m_maps.size() * m_maps.size(), true);
         for (std::size_t i = 0; i < m_maps.size(); ++i)
             for (std::size_t j = i + 1; j < m_maps.size(); ++j)
-                result[pairIndex(i, j)] = areApart(i, j, allowed);
+                result[pairIndex(i, j)] =
+                    areApart(i, j, allowed) || (m_neighbours && m_neighbours->areApart(i, j));
         return result;
     }
 

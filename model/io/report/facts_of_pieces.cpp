@@ -32,6 +32,7 @@ inline constexpr auto
     ifs::names<ifs::HausdorffDimension::Proof> = std::to_array<ifs::Named<ifs::HausdorffDimension::Proof>>({
         {ifs::HausdorffDimension::Proof::OpenSetCondition, "open set condition"},
         {ifs::HausdorffDimension::Proof::FiniteType, "finite type"},
+        {ifs::HausdorffDimension::Proof::Convex, "convex hull"},
     });
 
 namespace io {

@@ -128,6 +128,16 @@ class ExactExistenceTest : public QObject {
     Q_OBJECT
 
 private slots:
+    // A block of two axes is decided by any norm, not only by the rules in exact arithmetic.
+    void blocksAreDecidedByAnyNorm() {
+        const Maps3 maps{
+            {matrix3(
+                 {-1.17578125, 0, -.78125, 12058624, .9999999999999964, -4718592, 1.3515625, 0, 1.3203125}),
+             {1, 0, 0}},
+            {matrix3({.32421875, 0, .6171875, 1572864, .875, -54272, .96484375, 0, .0859375}), {1, 1, 1}}};
+        QVERIFY(classify<3>(maps).exists());
+    }
+
     // A sign is known of a finite number only.
     void overflowProvesNothing() {
         constexpr double infinity = std::numeric_limits<double>::infinity();

@@ -247,6 +247,18 @@ private slots:
         QCOMPARE(factsOf(cycle).affinityDimensionError, 0.0);
     }
 
+    // Three maps of a line, which the linked attractor does not leave either.
+    void measureOnALineHasDimensionOneAtMost() {
+        System line = system(
+            {affineMap(.9, 0, 0, .9, 0, 0), affineMap(.9, 0, 0, .9, 1, 0), affineMap(.9, 0, 0, .9, 2, 0)},
+            {1, 1, 1});
+        setLinks(line, std::vector<double>{1, 0, 1, 1, 1, 1, 0, 1, 1});
+        const auto facts = factsOf(line);
+        QVERIFY(facts.existence.exists());
+        QCOMPARE(facts.invariants.measureDimension, std::optional(1.0));
+        QVERIFY(facts.invariants.isMeasureDimensionCapped);
+    }
+
     // Nothing that is known of the maps without their links is claimed of them.
     void noFactsOfTheUnlinkedMaps() {
         const auto facts = factsOf(goldenMean());

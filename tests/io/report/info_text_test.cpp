@@ -190,8 +190,14 @@ private slots:
     void saysWhatTheSimilarityDimensionIs() {
         QCOMPARE(lineOf(subjectOf(Gasket), QStringLiteral("similarity dimension")),
                  QStringLiteral("1.58496 (the open set condition holds)"));
+        // Two ratios, and squares that touch.
+        const auto touching =
+            subjectOf({{.5, 0, 0, .5, 0, 0}, {.5, 0, 0, .5, .5, 0}, {.25, 0, 0, .25, 0, .5}});
+        QVERIFY(lineOf(touching, QStringLiteral("similarity dimension"))
+                    .contains(QStringLiteral("the open set condition holds")));
+        QCOMPARE(entryOf(touching)[QStringLiteral("open_set_condition")], QJsonValue(true));
         // Two ratios, and pieces that meet.
-        QVERIFY(lineOf(subjectOf({{.5, 0, 0, .5, 0, 0}, {.5, 0, 0, .5, .5, 0}, {.25, 0, 0, .25, 0, .5}}),
+        QVERIFY(lineOf(subjectOf({{.6, 0, 0, .6, 0, 0}, {.6, 0, 0, .6, .3, 0}, {.25, 0, 0, .25, 0, .5}}),
                        QStringLiteral("similarity dimension"))
                     .contains(QStringLiteral("if the open set condition holds")));
         auto rows = Gasket;
@@ -238,6 +244,14 @@ private slots:
         QVERIFY(
             lineOf(segment, QStringLiteral("dimension of measure")).startsWith(QStringLiteral("at most 1 ")));
         QCOMPARE(lineOf(segment, QStringLiteral("connectedness")), QStringLiteral("connected"));
+        QCOMPARE(lineOf(segment, QStringLiteral("Hausdorff dimension")), QStringLiteral("1"));
+        QCOMPARE(entryOf(segment)[QStringLiteral("hausdorff_dimension")][QStringLiteral("by")].toString(),
+                 QStringLiteral("convex hull"));
+        // One map, whose powers grow for long before they shrink.
+        const auto point = subjectOf({{1629810176.25, -1629810175.75, 1629810176.75, -1629810176.25, 1, 0}});
+        QCOMPARE(lineOf(point, QStringLiteral("open set condition")), QStringLiteral("holds"));
+        QCOMPARE(entryOf(point)[QStringLiteral("similarity_dimension")].toDouble(-1), 0.0);
+        QVERIFY(entryOf(point)[QStringLiteral("bounding_box")][QStringLiteral("error")].toDouble(1) < 1e-6);
     }
 
     // The numbers of a Koch curve are rounded, so what is known of it holds within rounding error.
