@@ -189,6 +189,21 @@ document::Problems located(document::Problems problems, const ListedMaps& listed
     return problems;
 }
 
+// A map that is not understood: its system is not read, for no map may be lost.
+document::Problem notUnderstood(const ListedMaps& listed) {
+    const UnreadMap& unread = *listed.unread;
+    const QString kind =
+        listed.notation == Notation::Lists ? Text::tr("lists of numbers") : nameOf(listed.notation);
+    const QString what = unread.text.isEmpty()
+                             ? Text::tr("This map is not understood, so none is read.")
+                             : Text::tr("“%1” is not understood, so no map is read.").arg(unread.text);
+    return {document::Problem::Severity::Error,
+            {},
+            unread.line,
+            unread.line > 0 ? 1 : 0,
+            Text::tr("In %1, row %2: %3").arg(kind).arg(unread.row).arg(what)};
+}
+
 // Systems that stand in lists of another language or in its tables, each through the reader of tables.
 std::optional<Collection> collectionOfLists(const QByteArray& bytes, const QString& path,
                                             const std::optional<TableColumns>& columns) {
@@ -201,6 +216,10 @@ std::optional<Collection> collectionOfLists(const QByteArray& bytes, const QStri
     Notation notation = Notation::Lists;
     document::Problems problems;
     for (const ListedMaps& listed : listedMaps(QString::fromUtf8(bytes))) {
+        if (listed.unread) {
+            problems << notUnderstood(listed);
+            continue;
+        }
         const Table table = readTable(listed.table, columns, TableMaps::PlaneOrSpace);
         if (listed.notation != Notation::Lists) problems += located(table.problems, listed);
         if (hasErrors(table) || !table.isTable) continue;

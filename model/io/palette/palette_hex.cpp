@@ -12,8 +12,9 @@ using attractor::Rgba;
 
 constexpr std::size_t maxHexColours = 4096;
 
-// "fc0" stands for "ffcc00"; opacities are ignored.
-Rgba colourOf(QString digits) {
+// "fc0" stands for "ffcc00"; opacities are ignored. They are in front in 0xAARRGGBB, and behind in #RRGGBBAA.
+Rgba colourOf(QString digits, bool isOpacityFirst) {
+    if (isOpacityFirst && digits.size() == 8) digits = digits.sliced(2);
     if (digits.size() < 6) {
         QString doubled;
         for (const QChar digit : digits.left(3))
@@ -26,8 +27,11 @@ Rgba colourOf(QString digits) {
 
 std::vector<Rgba> all(const QString& text, const QRegularExpression& pattern) {
     std::vector<Rgba> colours;
-    for (auto found = pattern.globalMatch(text); found.hasNext() && colours.size() < maxHexColours;)
-        colours.push_back(colourOf(found.next().captured(1)));
+    for (auto found = pattern.globalMatch(text); found.hasNext() && colours.size() < maxHexColours;) {
+        const auto match = found.next();
+        const bool isPrefixed = match.capturedView().startsWith(u"0x", Qt::CaseInsensitive);
+        colours.push_back(colourOf(match.captured(1), isPrefixed));
+    }
     return colours;
 }
 
@@ -41,7 +45,7 @@ std::vector<Rgba> hexColours(const QByteArray& bytes) {
                                            QRegularExpression::MultilineOption);
     static const QRegularExpression separators(QStringLiteral("[\\s,;|/\"'\\[\\](){}-]+"));
     static const QRegularExpression address(
-        QStringLiteral("^\\s*(?:https?://)?[\\w.-]+\\.[a-z]{2,6}/[\\w./-]*?/"));
+        QStringLiteral("^\\s*(?:https?://)?[\\w.-]+\\.[a-z]{2,6}/(?:[\\w.-]*/)*?(?=[0-9a-f]{6}(?:-|\\b))"));
     QString text = QString::fromUtf8(bytes);
     // Excludes gradients of Ultra Fractal, which have words and braces around whole numbers.
     if (!text.contains(QStringLiteral("gradient:")))

@@ -8,10 +8,12 @@
 
 #include <QHash>
 #include <QRegularExpression>
+#include <QSet>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 namespace io {
 
@@ -39,12 +41,14 @@ struct Equation {
     qsizetype begin = 0, end = 0;
     QString spelling;    // of the left side but for its letter: "'" of x', empty for x alone
     bool isWhole = true; // the right side was understood to its end
+    QString text;        // what was not
 };
 
 // A point at once: (…, …).
 struct Point {
     std::vector<AffineExpression> values;
     qsizetype begin = 0, end = 0;
+    QString unread{}; // its text if it was not understood
 };
 
 // Returns false if what follows an expression would continue it: it was not understood.
@@ -76,12 +80,27 @@ QString spellingOf(const QString& before, QString behind) {
     return before + behind.replace(mark, QStringLiteral("'")).replace(number, QStringLiteral("1"));
 }
 
-bool hasDigitOnLine(QStringView text) {
+QString lineAt(QStringView text, qsizetype from) {
+    qsizetype end = from;
+    constexpr qsizetype longest = 400;
+    while (end < std::min(text.size(), from + longest) && text[end] != u'\n' && text[end] != u';')
+        ++end;
+    return text.sliced(from, end - from).trimmed().toString();
+}
+
+// a x + b y + e: no digits, and at least so many letters beside those of the point.
+bool isGeneralForm(const QString& text, qsizetype fewest) {
+    QSet<QChar> letters;
     for (const QChar c : text) {
-        if (c == u'\n' || c == u';') return false;
-        if (c.isDigit()) return true;
+        if (c.isDigit()) return false;
+        if (c.isLetter() && !QStringView(u"xyzXYZ").contains(c)) letters << c;
     }
-    return false;
+    return letters.size() >= fewest;
+}
+
+bool hasCoordinate(QStringView text) {
+    static const QRegularExpression coordinate(QStringLiteral("(?<![A-Za-z])[xyz](?![A-Za-z])"));
+    return text.contains(coordinate);
 }
 
 std::vector<Equation> equationsIn(const QString& text) {
@@ -94,13 +113,12 @@ std::vector<Equation> equationsIn(const QString& text) {
     while (found.hasNext() && equations.size() < 4 * maxMaps) {
         const auto match = found.next();
         const auto value = affineExpression(QStringView(text).sliced(match.capturedEnd()));
-        if (!value) continue;
-        const qsizetype end = match.capturedEnd() + value->end;
-        const bool isWhole = endsThere(text, end);
-        if (!isWhole && !hasDigitOnLine(QStringView(text).sliced(match.capturedEnd()))) continue; // a x + b y
-        equations.push_back({match.capturedView(2)[0].toLower().unicode() - u'x', *value,
-                             match.capturedStart(), end, spellingOf(match.captured(1), match.captured(3)),
-                             isWhole});
+        const qsizetype end = match.capturedEnd() + (value ? value->end : 0);
+        const bool isWhole = value && endsThere(text, end);
+        equations.push_back({match.capturedView(2)[0].toLower().unicode() - u'x',
+                             value.value_or(AffineExpression()), match.capturedStart(), end,
+                             spellingOf(match.captured(1), match.captured(3)), isWhole,
+                             isWhole ? QString() : lineAt(text, match.capturedEnd())});
     }
     return equations;
 }
@@ -109,12 +127,23 @@ std::vector<Equation> equationsIn(const QString& text) {
 std::vector<Equation> ofOneSpelling(std::vector<Equation> equations) {
     QHash<QString, int> counts;
     for (const Equation& equation : equations)
-        ++counts[equation.spelling];
+        if (equation.isWhole) ++counts[equation.spelling];
     QString most;
     for (const Equation& equation : equations)
         if (counts[equation.spelling] > counts.value(most)) most = equation.spelling;
     std::erase_if(equations, [&](const Equation& equation) { return equation.spelling != most; });
     return equations;
+}
+
+// Without the general form before or behind the maps, x' = a x + b y + e.
+std::vector<Equation> withoutGeneralForm(std::vector<Equation> equations) {
+    const auto isWhole = [](const Equation& equation) { return equation.isWhole; };
+    const auto first = std::ranges::find_if(equations, isWhole);
+    const auto last = std::find_if(equations.rbegin(), equations.rend(), isWhole).base();
+    std::vector<Equation> kept;
+    for (auto one = equations.begin(); one != equations.end(); ++one)
+        if ((one >= first && one < last) || !isGeneralForm(one->text, 2)) kept.push_back(*one);
+    return kept;
 }
 
 // Returns true if the parameters of a function end there: (x, y) -> …
@@ -125,10 +154,78 @@ bool areParameters(QStringView text, qsizetype at) {
     return rest.startsWith(u"->") || rest.startsWith(u"=>") || rest.startsWith(u'→') || rest.startsWith(u'↦');
 }
 
-// Behind "=", ":", "→" or "return": two or three expressions between commas.
+// Behind the names of parameters, as f(x, y) = …, or def f(x, y): return ….
+bool isOfFunction(QStringView text, const QRegularExpressionMatch& opening) {
+    static const QRegularExpression parameters(
+        QStringLiteral(R"(\(\s*[A-Za-z_]\w{0,20}\s*[,;]\s*[A-Za-z_]\w{0,20}[^()\n]{0,40}\)\s*:?\s*$)"));
+    constexpr qsizetype longest = 160;
+    const QStringView sign = opening.capturedView();
+    if (sign.startsWith(u"lambda") || sign.startsWith(u"→") || sign.startsWith(u"↦") ||
+        sign.startsWith(u"->") || sign.startsWith(u"=>"))
+        return true;
+    const qsizetype from = std::max<qsizetype>(0, opening.capturedStart() - longest);
+    return text.sliced(from, opening.capturedStart() - from).toString().contains(parameters);
+}
+
+// Behind the names of the coordinates: x, y = ….
+bool isOfCoordinates(QStringView text, qsizetype begin) {
+    static const QRegularExpression names(
+        QStringLiteral("(?<![A-Za-z])x\\w{0,5}['′]?\\s*,\\s*y\\w{0,5}['′]?\\s*\\)?\\s*:?$"));
+    constexpr qsizetype longest = 30;
+    const qsizetype from = std::max<qsizetype>(0, begin - longest);
+    return text.sliced(from, begin - from).toString().contains(names);
+}
+
+// Two or three expressions between commas; none unless they are understood to the end.
+std::optional<Point> pointAt(const QString& text, qsizetype begin, qsizetype from, bool isOpen,
+                             bool mayBeConstant) {
+    Point point{{}, begin, from};
+    for (;;) {
+        const auto value = affineExpression(QStringView(text).sliced(point.end));
+        if (!value) break;
+        point.values.push_back(*value);
+        point.end += value->end;
+        while (point.end < text.size() && text[point.end].isSpace() && (isOpen || text[point.end] != u'\n'))
+            ++point.end;
+        const bool isParted =
+            point.end < text.size() && (text[point.end] == u',' || (isOpen && text[point.end] == u';'));
+        if (!isParted || point.values.size() > 3) break;
+        ++point.end;
+    }
+    const bool isClosed =
+        !isOpen || (point.end < text.size() && QStringView(u")]}").contains(text[point.end]));
+    const std::size_t count = point.values.size();
+    const bool isMap =
+        mayBeConstant || std::ranges::any_of(point.values, [](const auto& v) { return !v.isConstant(); });
+    const qsizetype behind = point.end + (isOpen ? 1 : 0);
+    if ((count != 2 && count != 3) || !isClosed || !isMap || !endsThere(text, behind) ||
+        areParameters(text, behind))
+        return std::nullopt;
+    return point;
+}
+
+// The text of two or three parts between commas that was not understood; empty for something else.
+QString unreadPoint(QStringView text, qsizetype from, bool isOpen) {
+    constexpr qsizetype longest = 1000;
+    int depth = 0;
+    qsizetype parts = 1, end = from;
+    for (; end < text.size() && end < from + longest; ++end) {
+        const QChar c = text[end];
+        if (QStringView(u"([{").contains(c)) ++depth;
+        if (QStringView(u")]}").contains(c) && --depth < 0) break;
+        if (!isOpen && depth == 0 && (c == u'\n' || c == u';')) break;
+        if (depth == 0 && (c == u',' || c == u';')) ++parts;
+    }
+    const QStringView inner = text.sliced(from, end - from);
+    if (parts < 2 || parts > 3 || !hasCoordinate(inner)) return {};
+    if (isOpen && areParameters(text, std::min(end + 1, text.size()))) return {};
+    return inner.trimmed().toString();
+}
+
+// Behind "=", ":", "→" or "return": two or three expressions between commas, perhaps in a call.
 std::vector<Point> pointsIn(const QString& text) {
     static const QRegularExpression opening(QStringLiteral(
-        R"((?:(?<![<>=!])=(?!=)>?|→|↦|->|lambda [^:\n]{0,40}:|\breturn\b)\s*[A-Za-z.]{0,20}\s*(?:\(\s*\[|[\(\[\{])?)"));
+        R"((?:(?<![<>=!])=(?!=)>?|→|↦|->|lambda [^:\n]{0,40}:|\breturn\b)\s*([A-Za-z][A-Za-z.]{0,20}\s*(?=[\(\[\{]))?(\(\s*\[|[\(\[\{])?)"));
     std::vector<Point> points;
     if (!QStringView(text).isValidUtf16()) return points;
     for (qsizetype from = 0; points.size() < maxMaps;) {
@@ -136,31 +233,20 @@ std::vector<Point> pointsIn(const QString& text) {
                                          QRegularExpression::DontCheckSubjectStringMatchOption);
         if (!match.hasMatch()) return points;
         from = match.capturedEnd();
-        const bool isOpen = QStringView(u"([{").contains(text[from - 1]);
-        Point point{{}, match.capturedStart(), from};
-        for (;;) {
-            const auto value = affineExpression(QStringView(text).sliced(point.end));
-            if (!value) break;
-            point.values.push_back(*value);
-            point.end += value->end;
-            while (point.end < text.size() && text[point.end].isSpace() &&
-                   (isOpen || text[point.end] != u'\n'))
-                ++point.end;
-            const bool isParted =
-                point.end < text.size() && (text[point.end] == u',' || (isOpen && text[point.end] == u';'));
-            if (!isParted || point.values.size() > 3) break;
-            ++point.end;
+        const qsizetype begin = match.capturedStart();
+        const bool isOpen = match.hasCaptured(2);
+        const bool isFunction = isOfFunction(text, match);
+        auto point = pointAt(text, begin, from, isOpen, isFunction);
+        if (!point && isOpen) // (x + 1)/2, …
+            point =
+                pointAt(text, begin, match.capturedStart(match.hasCaptured(1) ? 1 : 2), false, isFunction);
+        if (point) {
+            from = point->end;
+            points.push_back(*std::move(point));
+        } else if (isFunction || isOfCoordinates(text, begin)) {
+            const QString unread = unreadPoint(text, from, isOpen);
+            if (!unread.isEmpty()) points.push_back({{}, begin, from, unread});
         }
-        const bool isClosed =
-            !isOpen || (point.end < text.size() && QStringView(u")]}").contains(text[point.end]));
-        const std::size_t count = point.values.size();
-        const bool isMap = std::ranges::any_of(point.values, [](const auto& v) { return !v.isConstant(); });
-        if ((count != 2 && count != 3) || !isClosed || !isMap ||
-            !endsThere(text, point.end + (isOpen ? 1 : 0)) ||
-            areParameters(text, point.end + (isOpen ? 1 : 0)))
-            continue;
-        from = point.end;
-        points.push_back(std::move(point));
     }
     return points;
 }
@@ -178,11 +264,17 @@ WrittenMap mapOf(const std::vector<AffineExpression>& sides) {
 struct Found {
     std::vector<WrittenMap> maps;
     std::vector<std::pair<qsizetype, qsizetype>> places;
+    std::optional<UnreadMap> unread{};
+    qsizetype unreadAt = 0;
 
     void add(WrittenMap&& map, qsizetype begin, qsizetype end) {
         if (!std::ranges::all_of(map.numbers, [](double n) { return isCoefficient(n); })) return;
         maps.push_back(std::move(map));
         places.emplace_back(begin, end);
+    }
+    void miss(const QString& text, qsizetype at) {
+        constexpr qsizetype longest = 60;
+        if (!unread) unread = {int(maps.size()) + 1, 0, text.left(longest)}, unreadAt = at;
     }
 };
 
@@ -195,8 +287,8 @@ bool beginsWithY(const std::vector<Equation>& equations) {
 }
 
 // Equations for x, y and perhaps z, one after the other. Where x and y only get numbers, a program begins.
-// None if a map would be lost, because one of its sides is missing or not understood.
-Found mapsOf(std::vector<Equation> equations) {
+// One is unread if one of its sides is missing or not understood.
+Found mapsOf(std::vector<Equation> equations, QStringView text) {
     if (beginsWithY(equations))
         for (std::size_t i = 0; i + 1 < equations.size(); i += 2)
             std::swap(equations[i].index, equations[i + 1].index),
@@ -206,17 +298,24 @@ Found mapsOf(std::vector<Equation> equations) {
     Found found;
     for (std::size_t i = 0; i < equations.size();) {
         std::vector<AffineExpression> sides;
-        bool isWhole = true;
+        const Equation* damaged = nullptr;
         bool isStart = equations[i].spelling.isEmpty();
+        bool isMoved = false; // a coordinate stands on the right
         for (std::size_t k = 0; k < dim && i + k < equations.size() && equations[i + k].index == int(k);
              ++k) {
-            sides.push_back(equations[i + k].value);
-            isStart = isStart && equations[i + k].value.isConstant();
-            isWhole = isWhole && equations[i + k].isWhole;
+            const Equation& side = equations[i + k];
+            sides.push_back(side.value);
+            isStart = isStart && side.isWhole && side.value.isConstant();
+            isMoved = isMoved || hasCoordinate(side.text) || (side.isWhole && !side.value.isConstant());
+            if (!side.isWhole && !damaged) damaged = &side;
         }
-        const bool isMeant = !equations[i].spelling.isEmpty() || !equations[i].value.isConstant();
-        if (!isWhole || (sides.size() < dim && isMeant && !equations[i].spelling.isEmpty())) return {};
-        if (sides.size() < dim || isStart) {
+        const bool isProgram = equations[i].spelling.isEmpty();
+        const bool isComplete = sides.size() == dim;
+        if (isProgram ? damaged && isComplete && isMoved : damaged || !isComplete) {
+            const Equation& first = damaged ? *damaged : equations[i];
+            found.miss(damaged ? damaged->text : lineAt(text, equations[i].begin), first.begin);
+        }
+        if (damaged || !isComplete || isStart) {
             ++i;
             continue;
         }
@@ -226,11 +325,18 @@ Found mapsOf(std::vector<Equation> equations) {
     return found;
 }
 
-Found mapsOf(const std::vector<Point>& points) {
+Found mapsOf(const std::vector<Point>& points, QStringView text) {
+    const auto isRead = [](const Point& point) { return point.unread.isEmpty(); };
+    const auto first = std::ranges::find_if(points, isRead);
+    const std::size_t dim = first == points.end() ? 2 : first->values.size();
+    const auto last = std::find_if(points.rbegin(), points.rend(), isRead).base();
     Found found;
-    const std::size_t dim = points.empty() ? 2 : points.front().values.size();
-    for (const Point& point : points)
-        if (point.values.size() == dim) found.add(mapOf(point.values), point.begin, point.end);
+    for (auto one = points.begin(); one != points.end(); ++one) {
+        if (isRead(*one) && one->values.size() == dim)
+            found.add(mapOf(one->values), one->begin, one->end);
+        else if ((one >= first && one < last) || !isGeneralForm(one->unread, 4))
+            found.miss(isRead(*one) ? lineAt(text, one->begin) : one->unread, one->begin);
+    }
     return found;
 }
 
@@ -269,26 +375,35 @@ QString withLetters(const QString& text) {
     return before == 0 ? QString() : replaced + text.sliced(before);
 }
 
-// The first spelling of the text that has maps: in equations, or else at once, as points.
+// The first spelling of the text whose maps are all understood: in equations, or else at once, as points.
+// Else the first that has maps.
 std::pair<QString, Found> foundIn(const QStringList& spellings) {
+    std::pair<QString, Found> nearly;
     for (const bool arePoints : {false, true})
         for (const QString& text : spellings) {
             Found found = text.isEmpty() ? Found()
-                          : arePoints    ? mapsOf(pointsIn(text))
-                                         : mapsOf(ofOneSpelling(equationsIn(text)));
-            if (areMaps(found)) return {text, std::move(found)};
+                          : arePoints    ? mapsOf(pointsIn(text), text)
+                                         : mapsOf(withoutGeneralForm(ofOneSpelling(equationsIn(text))), text);
+            if (!areMaps(found)) continue;
+            if (!found.unread) return {text, std::move(found)};
+            if (nearly.second.maps.empty()) nearly = {text, std::move(found)};
         }
-    return {};
+    return nearly;
 }
 
 } // namespace
 
-std::vector<WrittenMap> equationMaps(const QString& source) {
+WrittenMaps equationMaps(const QString& source) {
     if (source.size() > maxText) return {};
     const QString plain = plainLines(source);
     const QStringList spellings{plain, withDecimalPoints(plain), withLetters(plain)};
     const auto [text, found] = foundIn(spellings);
     if (found.maps.empty()) return {};
+    if (found.unread) {
+        UnreadMap unread = *found.unread;
+        unread.line = 1 + int(QStringView(text).first(found.unreadAt).count(u'\n'));
+        return {found.maps, unread};
+    }
     QStringList between;
     qsizetype before = 0;
     int line = 1;
@@ -305,7 +420,7 @@ std::vector<WrittenMap> equationMaps(const QString& source) {
     const auto weights = weightsBetween(between);
     for (std::size_t i = 0; i < maps.size(); ++i)
         maps[i].weight = weights[i];
-    return maps;
+    return {std::move(maps)};
 }
 
 } // namespace io

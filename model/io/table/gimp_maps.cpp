@@ -7,6 +7,8 @@
 #include <QRegularExpression>
 
 #include <cmath>
+#include <optional>
+#include <utility>
 
 namespace io {
 
@@ -35,14 +37,15 @@ std::optional<WrittenMap> mapOf(const QHash<QString, double>& element, double ce
 
 } // namespace
 
-std::vector<WrittenMap> gimpMaps(const QString& text) {
+WrittenMaps gimpMaps(const QString& text) {
     static const QRegularExpression token(
-        QStringLiteral(R"(([a-z_]+)\s+(?:(-?\s?[0-9.][0-9.eE+-]*)|(\{[^{}]*\})|(\{)))"));
+        QStringLiteral(R"(([a-z_]+)\s+(?:(-?\s?[0-9.][^\s{}]*)|(\{[^{}a-z]*\})|(\{)|([^\s{}]+)))"));
     if (!text.contains(QStringLiteral("center_x")) || !text.contains(QStringLiteral("element"))) return {};
     QHash<QString, double> general;
     std::vector<QHash<QString, double>> elements;
     std::vector<int> lines;
     bool isInside = false;
+    std::optional<UnreadMap> unread;
     qsizetype before = 0;
     int line = 1;
     for (auto found = token.globalMatch(text); found.hasNext();) {
@@ -55,19 +58,25 @@ std::vector<WrittenMap> gimpMaps(const QString& text) {
             isInside = true;
         } else if (match.hasCaptured(2)) {
             const auto value = parseNumber(match.captured(2).remove(u' '));
-            if (!value) return {};
-            (isInside ? elements.back() : general).insert(match.captured(1), *value);
+            if (value)
+                (isInside ? elements.back() : general).insert(match.captured(1), *value);
+            else if (!unread)
+                unread = {int(elements.size()), line, match.captured()};
+        } else if (match.hasCaptured(5) && isInside && !unread) {
+            unread = {int(elements.size()), line, match.captured()};
         }
     }
+    if (unread && elements.empty()) return {};
+    if (unread) return {{}, unread};
     std::vector<WrittenMap> maps;
     for (std::size_t i = 0; i < elements.size(); ++i) {
         auto map = mapOf(elements[i], general.value(QStringLiteral("center_x")),
                          general.value(QStringLiteral("center_y")));
-        if (!map) return {};
+        if (!map) return {{}, UnreadMap{int(i) + 1, lines[i], QStringLiteral("element")}};
         map->line = lines[i];
         maps.push_back(*std::move(map));
     }
-    return maps;
+    return {std::move(maps)};
 }
 
 } // namespace io

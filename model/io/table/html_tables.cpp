@@ -170,6 +170,9 @@ QString textOfHtml(QStringView text) {
         if (text[i] == u'<') {
             const Tag tag = tagAt(text.sliced(i));
             if (tag.name.isEmpty()) result += u'<';
+            const bool isBehindDigit = !result.isEmpty() && result.back().isDigit();
+            if (isBehindDigit && (tag.name == u"sup" || tag.name == u"sub")) // 10⁻¹, and no 101
+                result += tag.name == u"sup" ? u'^' : u'_';
             if (tag.name == u"br" || tag.name == u"p" || tag.name == u"div") result += u' ';
             i += tag.end;
         } else if (text[i] == u'&') {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "io/table/written_map.h"
+
 #include <QList>
 #include <QString>
 
@@ -39,6 +41,7 @@ struct ListedMaps {
     UnusedWeights unused{};
     // 0-based index of the first map without weight, if others have one.
     std::optional<std::size_t> withoutWeight{};
+    std::optional<UnreadMap> unread{}; // a map that is not understood: none is read, for none may be lost
 };
 
 // The systems of affine maps in a text.

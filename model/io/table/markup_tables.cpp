@@ -271,6 +271,8 @@ std::optional<QStringList> ruledCells(QString line) {
              {QStringLiteral("**"), QStringLiteral("__"), QStringLiteral("*"), QStringLiteral("`")})
             if (cell.size() > 2 * mark.size() && cell.startsWith(mark) && cell.endsWith(mark))
                 cell = cell.sliced(mark.size(), cell.size() - 2 * mark.size());
+        static const QRegularExpression escaped(QStringLiteral(R"(\\([-+.*_#()!~]))"));
+        cell.replace(escaped, QStringLiteral("\\1"));
         cells << (cell.contains(u'\\') || cell.contains(u'$') ? plainLatex(cell).simplified()
                                                               : textOfHtml(cell));
     }
@@ -346,7 +348,17 @@ private:
     // Contents of {{math|0.5}}, [[target|text]] and '''bold''' without markup.
     static QString textOfWiki(QString cell) {
         if (cell.size() > longestArgument) return cell; // too long for a number
-        static const QRegularExpression model(QStringLiteral(R"(\{\{(?:[^{}|]*\|)?([^{}|]*)[^{}]*\}\})"));
+        static const QRegularExpression model(QStringLiteral(
+            R"(\{\{(?:(?:math|mvar|nowrap|nobold|small|big|center|right)\s*\|)?([^{}|]*)\}\})"));
+        static const QRegularExpression fraction(
+            QStringLiteral(R"(\{\{[st]?frac\s*\|([^{}|=]*)\|([^{}|=]*)\}\})"));
+        static const QRegularExpression exponent(
+            QStringLiteral(R"(\{\{val\s*\|([^{}|=]*)\|e=([^{}|=]*)\}\})"));
+        static const QRegularExpression value(QStringLiteral(R"(\{\{(?:val|gaps)\s*\|([^{}|=]*)\}\})"));
+        static const QRegularExpression note(QStringLiteral("<ref[^>/]*(?:/>|>.*?</ref>)"));
+        cell.remove(note);
+        cell.replace(fraction, QStringLiteral("\\1/\\2")).replace(exponent, QStringLiteral("\\1e\\2"));
+        cell.replace(value, QStringLiteral("\\1"));
         static const QRegularExpression link(QStringLiteral(R"(\[\[(?:[^\]|]*\|)?([^\]]*)\]\])"));
         static const QRegularExpression math(QStringLiteral("<math[^>]*>(.*?)</math>"));
         cell.replace(QStringLiteral("{{minus}}"), QStringLiteral("-"));
@@ -406,7 +418,7 @@ bool hasUnit(QStringView text, double value) {
 
 QString tableCell(const QString& text) {
     static const QRegularExpression decimalComma(QStringLiteral("^[-+]?\\d*,\\d+([eE][-+]?\\d+)?%?$"));
-    QString cell = plainSigns(text).simplified();
+    QString cell = withPowersOfTen(plainSigns(text).simplified());
     if (cell.startsWith(u"- ")) cell.remove(1, 1);
     if (cell.endsWith(u" %")) cell.remove(cell.size() - 2, 1);
     if (decimalComma.match(cell).hasMatch()) cell.replace(u',', u'.');

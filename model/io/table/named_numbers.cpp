@@ -65,7 +65,10 @@ QList<MarkupRow> namedNumbers(const QString& text) {
         if (names.isEmpty()) begun = line;
         names << name;
         numbers << match.captured(2);
-        isGood = isGood && numberIn(Cell{numbers.last(), line, 1}, Dialect{Separator::Tab, false, false});
+        const QStringView behind = QStringView(text).sliced(match.capturedEnd());
+        const bool isCut = behind.size() > 1 && behind[0] == u',' && behind[1].isDigit(); // a=0,25
+        isGood = isGood && !isCut &&
+                 numberIn(Cell{numbers.last(), line, 1}, Dialect{Separator::Tab, false, false});
     }
     endRow();
     return isGood && rows.size() > 2 && nameAllColumns(wanted) ? rows : QList<MarkupRow>();

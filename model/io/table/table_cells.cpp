@@ -211,7 +211,9 @@ Row cellsOf(QStringView text, int line, const Dialect& dialect, qsizetype most) 
 }
 
 std::optional<double> numberIn(const Cell& cell, const Dialect& dialect, NumberUnit unit) {
-    QString text = plainSigns(cell.text);
+    QString text = withPowersOfTen(plainSigns(cell.text));
+    static const QRegularExpression accounting(QStringLiteral("^\\(\\d*[.,]?\\d+\\)$"));
+    if (text.startsWith(u'(') && text.contains(accounting)) return std::nullopt; // (0.2) is −0.2 to some
     // Decimal comma: between separating commas, only quotation marks could enclose it.
     if (dialect.decimalComma || dialect.separator == Separator::Comma) {
         if (dialect.decimalComma && text.contains(u'.')) return std::nullopt;

@@ -185,6 +185,21 @@ std::optional<Picks> pickedByName(const QStringList& names) {
     return names.isEmpty() ? std::nullopt : picked(names, 1); // "f" above the labels is no coefficient
 }
 
+bool areColumnsNamed(const QList<Row>& table) {
+    constexpr qsizetype coefficients = 6;
+    if (table.isEmpty()) return false;
+    const auto picks = pickedByName(textsOf(table.first()));
+    if (!picks || table.size() <= coefficients) return picks.has_value();
+    QStringList names;
+    for (const Row& row : table.sliced(1))
+        names << row.first().text;
+    const bool hasWeight = std::ranges::any_of(textsOf(table.first()), [](const QString& name) {
+        const auto column = tableColumn(name);
+        return column && isWeight(*column);
+    });
+    return hasWeight || names.first(coefficients) != QStringLiteral("a b c d e f").split(u' ');
+}
+
 bool isSum(const Row& cells) {
     static const QRegularExpression word(QStringLiteral("^(sum|total|summe|somme|suma|сума|Σ|∑)\\s?[:=]?$"),
                                          QRegularExpression::CaseInsensitiveOption |

@@ -48,6 +48,9 @@ struct Picks {
 // Picks by name: every column once, and any others. Beside weights, their running sum is another. nullopt if
 // the names do not say it.
 std::optional<Picks> pickedByName(const QStringList& names);
+
+// Returns true if the first row names the columns. Above rows named a to f, A to F are names of maps.
+bool areColumnsNamed(const QList<Row>& table);
 // "Table 1. Codes of the Barnsley fern", "Source: …, p. 86": different words and hardly a number, as no map
 // has; without a number, a sentence.
 bool isProse(const Row& cells, const Dialect& dialect, int fewestNumbers);

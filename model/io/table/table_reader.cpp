@@ -123,7 +123,7 @@ private:
     // Rows of a table with a column for each map: every row begins with the name of its values. A row of map
     // names may precede them, and rows of words may follow.
     std::optional<QList<Row>> transposed(QList<Row> table) const {
-        if (!table.isEmpty() && pickedByName(textsOf(table.first()))) return std::nullopt; // names of columns
+        if (areColumnsNamed(table)) return std::nullopt;
         for (Row& row : table)
             if (row.size() > 1 && row[1].text == u"=") row.remove(1);
         if (!table.isEmpty() && !tableColumn(nameOfRow(table.first()))) table.removeFirst();

@@ -15,6 +15,19 @@ struct WrittenMap {
     int line = 0; // line of the text, 1-based
 };
 
+// A map that is written but not understood.
+struct UnreadMap {
+    int row = 0;  // among the maps, 1-based
+    int line = 0; // line of the text, 1-based; 0 if unknown
+    QString text;
+};
+
+// Maps are complete only where none is unread.
+struct WrittenMaps {
+    std::vector<WrittenMap> maps;
+    std::optional<UnreadMap> unread{};
+};
+
 // Rows for readTable() under a header. A map in the plane among those of space makes them none.
 QString tableOf(const std::vector<WrittenMap>& maps);
 

@@ -66,6 +66,13 @@ private:
         }
     }
 
+    // Returns true if a name begins there, behind blanks.
+    bool wordAt(qsizetype i) const {
+        while (i < m_text.size() && m_text[i].isSpace())
+            ++i;
+        return i < m_text.size() && m_text[i].isLetter();
+    }
+
     static void add(Value& sum, const Value& term, double sign) {
         for (std::size_t i = 0; i < 3; ++i)
             sum.factors[i] += sign * term.factors[i];
@@ -74,6 +81,7 @@ private:
     }
 
     std::optional<Value> readTerm(int depth) {
+        bool endsInNumber = at().isDigit() || at() == u'.';
         auto product = readFactor(depth);
         while (product) {
             const qsizetype before = m_at;
@@ -89,8 +97,12 @@ private:
                 return product;
             }
             const bool isApart = m_at > before && !isDivided && !isTimed;
+            const bool isNumber = at().isDigit() || at() == u'.';
+            if (!isDivided && !isTimed && endsInNumber && at() == u'.' && at(1).isDigit()) return broken();
             auto factor = !isDivided && !isTimed && at().isDigit() ? std::nullopt : readFactor(depth);
-            if (!factor || (isApart && factor->isConstant())) { // number of an equation: "x (2)"
+            endsInNumber = isNumber;
+            const bool isWord = before < m_text.size() && wordAt(before);
+            if (!factor || (isApart && factor->isConstant() && !isWord)) { // number of an equation: "x (2)"
                 m_at = before;
                 break;
             }
@@ -259,6 +271,7 @@ private:
             m_at = end;
             return constant(*evaluate(u"pi"));
         }
+        if (const auto value = functionOfDegrees(word, end)) return value;
         if (word.isEmpty() || end >= m_text.size() || m_text[end] != u'(') return std::nullopt;
         m_at = end;
         const auto of = readGroup(depth);
@@ -268,6 +281,21 @@ private:
         if (value) return constant(*value);
         m_at = begin;
         return std::nullopt;
+    }
+
+    // cos 60° and cos(60°): exact, which the sine of a product with π is not.
+    std::optional<Value> functionOfDegrees(const QString& word, qsizetype end) {
+        static const QRegularExpression angle(
+            QStringLiteral(R"(^\s{0,3}(\(?)\s{0,3}([-−]?\d{0,9}[.]?\d{1,9})\s?°\s{0,3}(\)?))"));
+        constexpr qsizetype longest = 40;
+        if (word != u"sin" && word != u"cos" && word != u"tan") return std::nullopt;
+        const auto match = angle.match(m_text.sliced(end, std::min(longest, m_text.size() - end)).toString());
+        if (!match.hasMatch() || match.captured(1).isEmpty() != match.captured(3).isEmpty())
+            return std::nullopt;
+        const auto value = evaluate(QStringLiteral("%1(%2°)").arg(word, plainSigns(match.captured(2))));
+        if (!value) return std::nullopt;
+        m_at = end + match.capturedEnd();
+        return constant(*value);
     }
 
     static bool isLetterWithIndex(const QString& word, QChar letter) {

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace io {
 
@@ -203,8 +204,17 @@ private:
             ++m_at;
         for (const QStringView mark : {u"^{\\circ}", u"^\\circ", u"\\pi", u"°"})
             if (m_source.sliced(m_at).startsWith(mark)) m_at += mark.size();
-        const QString of = begin == m_at ? argument() : inner(m_source.sliced(begin, m_at - begin));
+        const QString of = begin != m_at   ? inner(m_source.sliced(begin, m_at - begin))
+                           : at() == u'\\' ? commandAlone()
+                                           : argument();
         m_text += u'(' + of + u')';
+    }
+
+    // The command with its arguments, as in \cos\frac{\pi}{3}.
+    QString commandAlone() {
+        const QString before = std::exchange(m_text, {});
+        command();
+        return std::exchange(m_text, before);
     }
 
     void number(const QString& name) {
@@ -276,7 +286,12 @@ QString plainLatex(QStringView source) {
     // 2.75 · 10⁻⁵ at once: the product is rounded.
     static const QRegularExpression power(
         QStringLiteral(R"((?<![\w.^/])(\d+\.?\d*|\.\d+)\s?\*\s?10\^(?:\((-?\d{1,3})\)|(\d)))"));
-    QString text = Converter(source, 0).convert();
+    static const QRegularExpression over(
+        QStringLiteral(R"(\{([^{}]{1,100})\\over(?![a-z])([^{}]{1,100})\})"));
+    QString text =
+        source.contains(u"\\over")
+            ? Converter(source.toString().replace(over, QStringLiteral("\\frac{\\1}{\\2}")), 0).convert()
+            : Converter(source, 0).convert();
     if (text.contains(QStringLiteral("10^"))) text.replace(power, QStringLiteral("\\1e\\2\\3"));
     return text;
 }

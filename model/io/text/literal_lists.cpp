@@ -76,7 +76,9 @@ private:
             } else if (const auto number = readNumber()) {
                 flush();
                 const Literal::Kind kind = isOperator(at()) ? Literal::Kind::Other : Literal::Kind::Number;
-                if (depth > 0 || !key.isEmpty()) add(list, {kind, *number, std::exchange(key, {}), {}, {}});
+                const bool isItem = depth > 0 || !key.isEmpty();
+                if (isItem) add(list, {kind, *number, std::exchange(key, {}), {}, {}});
+                m_number = {*number, m_at, isItem ? m_items : -1};
             } else if (isWordLetter(c)) {
                 flush();
                 word = readWord();
@@ -124,8 +126,90 @@ private:
             m_isCut = true;
             return;
         }
+        m_lines += int(m_text.sliced(m_counted, m_at - m_counted).count(u'\n'));
+        m_counted = m_at;
+        item.line = m_lines + 1;
+        const auto before = factorBefore(list, item);
         readItems(item, closing(open), depth + 1);
+        const auto behind = factorBehind();
+        const bool isOne = item.items.isEmpty() || // dimensions, or an argument
+                           (item.items.size() == 1 && item.items[0].kind != Literal::Kind::List);
+        if (before && behind)
+            scale(item, *before * *behind);
+        else if (!isOne)
+            item.kind = Literal::Kind::Other; // a product with something that is not read
+        makeFraction(item);
         add(list, std::move(item));
+    }
+
+    bool isBlank(qsizetype i) const { return i >= 0 && (m_text[i] == u' ' || m_text[i] == u'\t'); }
+    static bool isTimes(QChar c) { return c == u'*' || c == u'·' || c == u'×'; }
+
+    // The number that multiplies the list whose bracket was read: 0.5*[…], 1/2 {…}. 1 without one; none for
+    // another factor. The number is taken from the items before it.
+    std::optional<double> factorBefore(Literal& list, Literal& item) {
+        const bool isNamed = !item.text.isEmpty();
+        const qsizetype begin = isNamed ? m_word : m_at - 1;
+        qsizetype i = begin;
+        while (isBlank(i - 1))
+            --i;
+        const QChar sign = i > 0 ? m_text[i - 1] : QChar();
+        const bool isBeside = !isNamed && m_text[m_at - 1] == u'{' && i == m_number.end && i < begin;
+        if (isDash(sign) && i > 1) {
+            qsizetype left = i - 1;
+            while (isBlank(left - 1))
+                --left;
+            return left > 0 && m_text[left - 1] == u'=' ? -1 : 1;
+        }
+        if (!isTimes(sign) && !isBeside) return 1;
+        if (isTimes(sign)) --i;
+        while (isTimes(sign) && isBlank(i - 1))
+            --i;
+        if (i == 0 || QStringView(u"*/(,[{=:").contains(m_text[i - 1])) return 1; // *arguments
+        if (i != m_number.end) return std::nullopt;
+        if (m_number.items == m_items && !list.items.isEmpty() && list.items.last().items.isEmpty()) {
+            item.key = list.items.last().key;
+            list.items.removeLast();
+        }
+        return m_number.value;
+    }
+
+    // The number behind the list that was read, [1, 2]/3. 1 without one; none for another factor.
+    std::optional<double> factorBehind() {
+        qsizetype i = m_at;
+        while (i < m_text.size() && isBlank(i))
+            ++i;
+        if (i + 1 >= m_text.size()) return 1;
+        const bool isOver = m_text[i] == u'/';
+        const QChar next = m_text[i + 1];
+        if ((!isOver && !isTimes(m_text[i])) || QStringView(u"*/)").contains(next)) return 1;
+        ++i;
+        while (i < m_text.size() && isBlank(i))
+            ++i;
+        const auto factor = digitsAt(i);
+        if (!factor) return std::nullopt;
+        m_at = factor->end;
+        return isOver ? 1 / factor->value : factor->value;
+    }
+
+    static void scale(Literal& list, double factor) {
+        if (factor == 1) return;
+        for (Literal& item : list.items) {
+            item.number *= factor;
+            scale(item, factor);
+        }
+    }
+
+    // Rational(1, 2) of SymPy and Fraction(1, 2) of Python.
+    static void makeFraction(Literal& item) {
+        const bool isFraction =
+            item.text.endsWith(QStringLiteral("Rational")) || item.text.endsWith(QStringLiteral("Fraction"));
+        if (!isFraction || item.items.size() != 2 || item.items[1].number == 0 ||
+            item.items[0].kind != Literal::Kind::Number || item.items[1].kind != Literal::Kind::Number)
+            return;
+        item.kind = Literal::Kind::Number;
+        item.number = item.items[0].number / item.items[1].number;
+        item.items.clear();
     }
 
     // Reads a key if a colon follows, else a text, which ends with the line.
@@ -153,7 +237,7 @@ private:
     }
 
     QString readWord() {
-        const qsizetype begin = m_at;
+        const qsizetype begin = m_word = m_at;
         while (m_at < m_text.size() && isWordLetter(at()))
             ++m_at;
         return m_text.sliced(begin, m_at - begin).left(maxKey).toString();
@@ -222,6 +306,15 @@ private:
     QStringView m_text;
     qsizetype m_at = 0;
     qsizetype m_items = 0;
+    qsizetype m_word = 0; // beginning of the last word
+    // The last number that was read.
+    struct {
+        double value = 0;
+        qsizetype end = -1;
+        qsizetype items = -1; // how many items there were with it; -1: it is none
+    } m_number;
+    int m_lines = 0; // line ends before m_counted
+    qsizetype m_counted = 0;
     qsizetype m_openUntil = 0; // end of the text in which quotation marks are ordinary signs
     bool m_isCut = false;
 };

@@ -19,6 +19,7 @@ struct Literal {
     QString key;  // text before ":", "=" or "=>"; empty without one
     QString text; // contents of a Text; name before a List, as in array([…])
     QList<Literal> items;
+    int line = 0; // of the beginning of a List, 1-based; 0: unknown
 };
 
 // The lists of a text as the items of one; text between them is left out. Comments (#, //, /*) are skipped.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "io/text/plain_signs.h"
 
+#include <QRegularExpression>
+
 #include <algorithm>
 
 namespace io {
@@ -45,6 +47,29 @@ QString plainSigns(QString text) {
         if (!isAfterSign || !isSettingBlank(c)) result += plain(c);
     }
     return result;
+}
+
+QString withPowersOfTen(QString text) {
+    static const QRegularExpression power(QStringLiteral(
+        "^([-+]?(?:\\d+[.,]?\\d*|[.,]\\d+))\\s*[×·⋅*]\\s*10\\s*(?:\\^\\s*\\(?\\s*([-+]?\\d{1,3})\\s*\\)?|"
+        "([⁻⁺-]?[⁰¹²³⁴⁵⁶⁷⁸⁹]{1,3}))$"));
+    static const QRegularExpression middleDot(QStringLiteral("^([-+]?0)·(\\d+)$"));
+    static const QString raised = QStringLiteral("⁰¹²³⁴⁵⁶⁷⁸⁹");
+    if (std::ranges::all_of(text, [](QChar c) { return c.unicode() < 0x80 && c != u'^'; })) return text;
+    if (const auto match = middleDot.match(text); match.hasMatch())
+        return match.captured(1) + u'.' + match.captured(2);
+    static const QRegularExpression lowered(
+        QStringLiteral("^[-+]?[\\d.,]+\\s*[×·⋅]\\s*10\\s*[-+]\\s*\\d{1,3}$"));
+    if (text.contains(lowered)) return text + u'?'; // 5×10−1 is a power whose exponent was lowered, or 49
+    const auto match = power.match(text);
+    if (!match.hasMatch()) return text;
+    QString exponent = match.captured(2) + match.captured(3);
+    for (QChar& c : exponent)
+        if (const qsizetype digit = raised.indexOf(c); digit >= 0)
+            c = QChar(u'0' + int(digit));
+        else if (isDash(c))
+            c = u'-';
+    return match.captured(1) + u'e' + exponent.remove(u'⁺');
 }
 
 } // namespace io

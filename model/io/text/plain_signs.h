@@ -16,4 +16,7 @@ bool isSettingBlank(QChar c);
 // forms, the fraction slash "/"; marks without a width and blanks between a sign and its digits vanish.
 QString plainSigns(QString text);
 
+// A number times a power of ten, 5 × 10⁻¹ or 5·10^-1, as 5e-1; and the middle dot of 0·5 as a point.
+QString withPowersOfTen(QString text);
+
 } // namespace io

@@ -51,6 +51,8 @@ private slots:
         QTest::newRow("digits alone") << QByteArray("264653\r\n2a9d8f\r\ne9c46a\r\n");
         QTest::newRow("digits and a comment") << QByteArray("; by hand\n264653, 2a9d8f, e9c46a\n");
         QTest::newRow("address") << QByteArray("https://coolors.co/palette/264653-2a9d8f-e9c46a");
+        QTest::newRow("short address") << QByteArray("https://coolors.co/264653-2a9d8f-e9c46a");
+        QTest::newRow("opacity first") << QByteArray("0xFF264653, 0xFF2A9D8F, 0xFFE9C46A");
         QTest::newRow("JSON") << QByteArray(
             "{\"name\": \"sea\", \"colors\": [\"#264653\", \"#2a9d8f\", \"#e9c46aff\"]}");
         QTest::newRow("CSS") << QByteArray(":root {\n  --a: #264653;\n  --b: #2a9d8f;\n  --c: #e9c46a;\n}\n");
