@@ -6812,6 +6812,18 @@
         <source>The encoder of the video does not work. There may not be enough memory for it.</source>
         <translation>Der Encoder des Videos arbeitet nicht. Vielleicht reicht der Speicher dafür nicht aus.</translation>
     </message>
+    <message>
+        <source>lists of numbers</source>
+        <translation>Listen von Zahlen</translation>
+    </message>
+    <message>
+        <source>This map is not understood, so none is read.</source>
+        <translation>Diese Abbildung wird nicht verstanden, daher wird keine gelesen.</translation>
+    </message>
+    <message>
+        <source>“%1” is not understood, so no map is read.</source>
+        <translation>„%1“ wird nicht verstanden, daher wird keine Abbildung gelesen.</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>

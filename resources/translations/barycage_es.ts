@@ -6812,6 +6812,18 @@
         <source>The encoder of the video does not work. There may not be enough memory for it.</source>
         <translation>El codificador del vídeo no funciona. Puede que no haya suficiente memoria para él.</translation>
     </message>
+    <message>
+        <source>lists of numbers</source>
+        <translation>Listas de números</translation>
+    </message>
+    <message>
+        <source>This map is not understood, so none is read.</source>
+        <translation>Esta aplicación no se entiende, así que no se lee ninguna.</translation>
+    </message>
+    <message>
+        <source>“%1” is not understood, so no map is read.</source>
+        <translation>«%1» no se entiende, así que no se lee ninguna aplicación.</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>

@@ -6812,6 +6812,18 @@
         <source>The encoder of the video does not work. There may not be enough memory for it.</source>
         <translation>L’encodeur de la vidéo ne fonctionne pas. La mémoire ne lui suffit peut-être pas.</translation>
     </message>
+    <message>
+        <source>lists of numbers</source>
+        <translation>Listes de nombres</translation>
+    </message>
+    <message>
+        <source>This map is not understood, so none is read.</source>
+        <translation>Cette application n’est pas comprise : aucune n’est donc lue.</translation>
+    </message>
+    <message>
+        <source>“%1” is not understood, so no map is read.</source>
+        <translation>« %1 » n’est pas compris : aucune application n’est donc lue.</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>

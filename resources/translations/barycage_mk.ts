@@ -6827,6 +6827,18 @@
         <source>The encoder of the video does not work. There may not be enough memory for it.</source>
         <translation>Кодерот на видеото не работи. Можеби нема доволно меморија за него.</translation>
     </message>
+    <message>
+        <source>lists of numbers</source>
+        <translation>Листи од броеви</translation>
+    </message>
+    <message>
+        <source>This map is not understood, so none is read.</source>
+        <translation>Ова пресликување не се разбира, па затоа не се чита ниедно.</translation>
+    </message>
+    <message>
+        <source>“%1” is not understood, so no map is read.</source>
+        <translation>„%1“ не се разбира, па затоа не се чита ниедно пресликување.</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
