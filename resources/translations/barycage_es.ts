@@ -6814,7 +6814,7 @@
     </message>
     <message>
         <source>lists of numbers</source>
-        <translation>Listas de números</translation>
+        <translation>listas de números</translation>
     </message>
     <message>
         <source>This map is not understood, so none is read.</source>

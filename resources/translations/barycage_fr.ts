@@ -6814,7 +6814,7 @@
     </message>
     <message>
         <source>lists of numbers</source>
-        <translation>Listes de nombres</translation>
+        <translation>listes de nombres</translation>
     </message>
     <message>
         <source>This map is not understood, so none is read.</source>

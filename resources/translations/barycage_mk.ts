@@ -6829,7 +6829,7 @@
     </message>
     <message>
         <source>lists of numbers</source>
-        <translation>Листи од броеви</translation>
+        <translation>листи од броеви</translation>
     </message>
     <message>
         <source>This map is not understood, so none is read.</source>

@@ -259,7 +259,10 @@ std::optional<Existence> contractionWithoutRounding(std::span<const AffineMap<Di
     const CommonMatrixNorm unusable{1, std::numeric_limits<double>::infinity()};
     for (const auto& norm : {supportNorm<Dim>(maps), lyapunovNorm<Dim>(maps), seen})
         if (norm && norm->contractivity < 1) return along(*norm);
-    if (seen || contractExactly<Dim>(maps, maxProducts)) return along(unusable);
+    const auto contractsInPlane = [maxProducts](std::span<const AffineMap<2>> blocks) {
+        return classify<2>(blocks, maxProducts).exists();
+    };
+    if (seen || contractExactly<Dim>(maps, contractsInPlane)) return along(unusable);
     return std::nullopt;
 }
 

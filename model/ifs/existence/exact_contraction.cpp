@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "ifs/existence/exact_contraction.h"
 
-#include "ifs/existence/attractor_existence.h"
 #include "ifs/existence/common_matrix.h"
 #include "ifs/existence/exact_matrix.h"
 #include "ifs/existence/expansion.h"
@@ -99,7 +98,8 @@ template <int Dim> std::vector<std::vector<int>> componentsOf(std::span<const Af
 }
 
 template <int Dim>
-bool contractAlong(std::span<const AffineMap<Dim>> maps, const std::vector<int>& axes, int maxProducts) {
+bool contractAlong(std::span<const AffineMap<Dim>> maps, const std::vector<int>& axes,
+                   const ProvesContraction& contractsInPlane) {
     if (axes.size() == 1)
         return std::ranges::all_of(maps, [axis = axes[0]](const AffineMap<Dim>& map) {
             return std::abs(map.linear(axis, axis)) < 1;
@@ -113,7 +113,7 @@ bool contractAlong(std::span<const AffineMap<Dim>> maps, const std::vector<int>&
                 block.linear(i, j) = map.linear(axes[std::size_t(i)], axes[std::size_t(j)]);
         blocks.push_back(block);
     }
-    return classify<2>(blocks, maxProducts).exists();
+    return contractsInPlane(blocks);
 }
 
 } // namespace
@@ -142,7 +142,8 @@ template <int Dim> bool areJointlyTriangular(std::span<const AffineMap<Dim>> map
     return true;
 }
 
-template <int Dim> bool contractExactly(std::span<const AffineMap<Dim>> maps, int maxProducts) {
+template <int Dim>
+bool contractExactly(std::span<const AffineMap<Dim>> maps, const ProvesContraction& contractsInPlane) {
     if (exactEuclideanNorm<Dim>(maps) || supportNorm<Dim>(maps)) return true;
     if (areJointlyTriangular<Dim>(maps))
         return std::ranges::all_of(maps, [](const AffineMap<Dim>& map) {
@@ -151,13 +152,13 @@ template <int Dim> bool contractExactly(std::span<const AffineMap<Dim>> maps, in
     if (commonMatrixNorm<Dim>(maps) || lyapunovNorm<Dim>(maps)) return true;
     const auto components = componentsOf<Dim>(maps);
     return components.size() > 1 && std::ranges::all_of(components, [&](const std::vector<int>& axes) {
-               return contractAlong<Dim>(maps, axes, maxProducts);
+               return contractAlong<Dim>(maps, axes, contractsInPlane);
            });
 }
 
 template bool areJointlyTriangular<2>(std::span<const AffineMap<2>>);
 template bool areJointlyTriangular<3>(std::span<const AffineMap<3>>);
-template bool contractExactly<2>(std::span<const AffineMap<2>>, int);
-template bool contractExactly<3>(std::span<const AffineMap<3>>, int);
+template bool contractExactly<2>(std::span<const AffineMap<2>>, const ProvesContraction&);
+template bool contractExactly<3>(std::span<const AffineMap<3>>, const ProvesContraction&);
 
 } // namespace ifs

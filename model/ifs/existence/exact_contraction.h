@@ -3,6 +3,7 @@
 
 #include "ifs/system/affine_map.h"
 
+#include <functional>
 #include <span>
 
 namespace ifs {
@@ -13,10 +14,14 @@ namespace ifs {
 // attractor?"
 template <int Dim> bool areJointlyTriangular(std::span<const AffineMap<Dim>> maps);
 
+// Whether the joint spectral radius of maps of the plane is proved to be below 1.
+using ProvesContraction = std::function<bool(std::span<const AffineMap<2>> maps)>;
+
 // Returns true if the joint spectral radius of the linear parts is proved to be below 1: without rounding, by
-// the norms of support_norm.h, lyapunov_norm.h and common_matrix.h or by joint triangularity; or by all that
-// is known of each strong component of the graph of coefficients that do not vanish, of which at most
-// `maxProducts` words are multiplied out. There may be no double below 1 that bounds it.
-template <int Dim> bool contractExactly(std::span<const AffineMap<Dim>> maps, int maxProducts);
+// the norms of support_norm.h, lyapunov_norm.h and common_matrix.h or by joint triangularity; or by what
+// `contractsInPlane` proves of each strong component of the graph of coefficients that do not vanish. There
+// may be no double below 1 that bounds it.
+template <int Dim>
+bool contractExactly(std::span<const AffineMap<Dim>> maps, const ProvesContraction& contractsInPlane);
 
 } // namespace ifs

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "io/table/listed_maps.h"
+#include "io/table/written_map.h"
 #include "io/text/literal_lists.h"
+
+#include <QList>
 
 namespace io {
 

@@ -132,33 +132,12 @@ void DamagedMapsTest::noMapIsLost() {
     QVERIFY(system->maps[2].map == ifs::affineMap(.1, 0, 0, .5, 1, 0));
 }
 
-void DamagedMapsTest::damagedMapsAreNamed_data() {
-    QTest::addColumn<QByteArray>("text");
-    QTest::addColumn<QString>("where");
+namespace {
+
+void addDamagedMatrices() {
     const auto add = [](const char* name, const char* text, const char* where) {
         QTest::newRow(name) << QByteArray(text) << QString::fromUtf8(where);
     };
-    add("points", "f1(x,y)=(x/2,y/2)\nf2(x,y)=(r x, r y)\nf3(x,y)=(x/2+1,y/2)\n", "In equations, row 2: ");
-    add("a product of coordinates", "f1(x,y)=(x/2,y/2)\nf2(x,y)=(x*y, y/2)\nf3(x,y)=(x/2+1,y/2)\n",
-        "In equations, row 2: ");
-    add("two numbers without a sign", "f1(x,y)=(x/2,y/2)\nf2(x,y)=(.1.5y, y/2)\nf3(x,y)=(x/2+1,y/2)\n",
-        "In equations, row 2: ");
-    add("a program", "x = .5*x + 1\ny = .5*y\nx = k*x + 2\ny = .5*y\nx = .5*x\ny = .5*y\n",
-        "In equations, row 2: ");
-    add("NumPy",
-        "A1 = np.array([[.5, 0], [0, .5]])\nb1 = np.array([1, 0])\n"
-        "A2 = s*np.array([[1, 0], [0, 1]])\nb2 = np.array([0, 1])\n"
-        "A3 = np.array([[.5, 0], [0, .5]])\nb3 = np.array([0, 0])\n",
-        "In lists of numbers, row 2: ");
-    add("a missing number",
-        "A1 = [.5 0; 0 .5]; b1 = [1; 0];\nA2 = s; b2 = [1; 0];\nA3 = [.5 0; 0 .5]; b3 = [0; 0];\n",
-        "In lists of numbers, row 2: ");
-    add("a list", "ifs = [[.5, 0, 0, .5, 0, 0], [k, 0, 0, .5, 0, 0], [.5, 0, 0, .5, 1, 0]]\n",
-        "In lists of numbers, row 2: ");
-    add("GIMP",
-        "center_x 0.5\ncenter_y 0.5\nelement {\n x 0.25\n y 0.75\n theta o\n scale 0.5\n asym 1\n shear 0\n"
-        " flip 0\n red_color { 1,0,0 }\n}\n",
-        "In a text of GIMP’s IFS Fractal, row 1: ");
     const char* const matrices = "In matrices in LaTeX, row 2: ";
 #define FIRST "w_1(x)=\\begin{bmatrix}.5&0\\\\0&.5\\end{bmatrix}x+\\begin{bmatrix}1\\\\0\\end{bmatrix}\n"
     add("a name in a matrix", FIRST "w_2(x)=\\begin{bmatrix}r&0\\\\0&.5\\end{bmatrix}x\n" FIRST, matrices);
@@ -193,6 +172,38 @@ void DamagedMapsTest::damagedMapsAreNamed_data() {
     add("a factor by name", FIRST "w_2(x)=\\lambda\\begin{bmatrix}1&0\\\\0&1\\end{bmatrix}x\n" FIRST,
         matrices);
 #undef FIRST
+}
+
+} // namespace
+
+void DamagedMapsTest::damagedMapsAreNamed_data() {
+    QTest::addColumn<QByteArray>("text");
+    QTest::addColumn<QString>("where");
+    const auto add = [](const char* name, const char* text, const char* where) {
+        QTest::newRow(name) << QByteArray(text) << QString::fromUtf8(where);
+    };
+    add("points", "f1(x,y)=(x/2,y/2)\nf2(x,y)=(r x, r y)\nf3(x,y)=(x/2+1,y/2)\n", "In equations, row 2: ");
+    add("a product of coordinates", "f1(x,y)=(x/2,y/2)\nf2(x,y)=(x*y, y/2)\nf3(x,y)=(x/2+1,y/2)\n",
+        "In equations, row 2: ");
+    add("two numbers without a sign", "f1(x,y)=(x/2,y/2)\nf2(x,y)=(.1.5y, y/2)\nf3(x,y)=(x/2+1,y/2)\n",
+        "In equations, row 2: ");
+    add("a program", "x = .5*x + 1\ny = .5*y\nx = k*x + 2\ny = .5*y\nx = .5*x\ny = .5*y\n",
+        "In equations, row 2: ");
+    add("NumPy",
+        "A1 = np.array([[.5, 0], [0, .5]])\nb1 = np.array([1, 0])\n"
+        "A2 = s*np.array([[1, 0], [0, 1]])\nb2 = np.array([0, 1])\n"
+        "A3 = np.array([[.5, 0], [0, .5]])\nb3 = np.array([0, 0])\n",
+        "In lists of numbers, row 2: ");
+    add("a missing number",
+        "A1 = [.5 0; 0 .5]; b1 = [1; 0];\nA2 = s; b2 = [1; 0];\nA3 = [.5 0; 0 .5]; b3 = [0; 0];\n",
+        "In lists of numbers, row 2: ");
+    add("a list", "ifs = [[.5, 0, 0, .5, 0, 0], [k, 0, 0, .5, 0, 0], [.5, 0, 0, .5, 1, 0]]\n",
+        "In lists of numbers, row 2: ");
+    add("GIMP",
+        "center_x 0.5\ncenter_y 0.5\nelement {\n x 0.25\n y 0.75\n theta o\n scale 0.5\n asym 1\n shear 0\n"
+        " flip 0\n red_color { 1,0,0 }\n}\n",
+        "In a text of GIMP’s IFS Fractal, row 1: ");
+    addDamagedMatrices();
 }
 
 void DamagedMapsTest::damagedMapsAreNamed() {
