@@ -117,7 +117,7 @@ Dyadic operator+(const Dyadic& a, const Dyadic& b) {
         result.m_isNegative = x.m_isNegative;
         result.m_digits = sum(x.m_digits, y.m_digits);
     } else {
-        const bool isLarger = compare(x.m_digits, y.m_digits) > 0;
+        const bool isLarger = std::is_gt(compare(x.m_digits, y.m_digits));
         result.m_isNegative = isLarger ? x.m_isNegative : y.m_isNegative;
         result.m_digits = isLarger ? difference(x.m_digits, y.m_digits) : difference(y.m_digits, x.m_digits);
     }
