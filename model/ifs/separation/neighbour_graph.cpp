@@ -124,8 +124,9 @@ public:
 
     // Returns true if all maps that a may be are among those that b may be.
     bool isWithin(const Rounded<Dim>& a, const Rounded<Dim>& b) const {
-        return length(a.map.translation - b.map.translation) + a.shift <= b.shift &&
-               norm(a.map.linear - b.map.linear) + a.linear <= b.linear;
+        constexpr double sure = 1 + 0x1p-20; // more than the norms are off
+        return sure * (length(a.map.translation - b.map.translation) + a.shift) <= b.shift &&
+               sure * (norm(a.map.linear - b.map.linear) + a.linear) <= b.linear;
     }
 
     // Distance by which the image of a point of this norm may be off.

@@ -542,10 +542,9 @@ void SolidExportTest::hardSystemsEnd_data() {
         map.translation = canonical::randomVector<3>(random, 1);
         ifs::append<3>(many, map);
     }
-    const double ratio = support::isThorough() ? 0.9 : 0.8;
     for (int k = 0; k < (support::isThorough() ? 12 : 4); ++k)
         ifs::append<3>(overlapping,
-                       {ratio * ifs::Matrix<3>::Identity(), canonical::randomVector<3>(random, 1)});
+                       {0.9 * ifs::Matrix<3>::Identity(), canonical::randomVector<3>(random, 1)});
     QTest::newRow("needle") << needle;
     QTest::newRow("huge") << huge;
     QTest::newRow("thousands of maps") << many;
